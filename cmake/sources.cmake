@@ -251,6 +251,7 @@ set(SQUEAL_SOURCES_CYCLE
     source/cycle/cycle_branch.cc
     source/cycle/cycle_figures.cc
     source/cycle/cycle_friction.cc
+    source/cycle/cycle_result.cc
     source/cycle/cycle_search.cc
     source/cycle/cycle_trial.cc
     source/cycle/edge_trajectory.cc

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
-#include <squeal/base/unknown_choice.h>
 #include <squeal/cycle/cycle_search.h>
 #include <squeal/transient/modal_step.h>
 
@@ -194,6 +193,16 @@ namespace squeal
       return period / stable_steps(model, period, n_steps, 1);
     }
 
+    /** Says why nothing was found. */
+    void
+    break_off(CycleResult &result, const ComputationError &why)
+    {
+      result.coarse.status = CycleStatus::not_converged;
+      result.broken_off    = "the search for a limit cycle from the pair at " +
+                          rounded_text(result.pair.imag() / (2. * M_PI), 6) +
+                          " Hz has broken off: " + why.what();
+    }
+
     /** Seeks the periodic motion that @p run comes to. */
     CycleResult
     along(LeadingRun                 &run,
@@ -230,14 +239,16 @@ namespace squeal
                 break;
             }
         }
-      catch (const ComputationError &)
+      catch (const ComputationError &e)
         {
           // What was found before still counts.
+          if (!result.has_converged())
+            break_off(result, e);
         }
       result.run     = run.figures();
       result.run_end = run.end();
-      if (!result.has_converged() && result.run.lasts &&
-          result.run.recurrence > may_have_period)
+      if (!result.has_converged() && result.broken_off.empty() &&
+          result.run.lasts && result.run.recurrence > may_have_period)
         result.coarse.status = CycleStatus::aperiodic;
       return result;
     }
@@ -301,87 +312,7 @@ namespace squeal
       if (!is_there)
         throw ComputationError("no node is closed in steady sliding");
     }
-
-    /** The rms of a force whose harmonics have the differences of those of @p a
-     * and @p b, as far as both go. */
-    double
-    rms_of_difference(const std::vector<double> &a,
-                      const std::vector<double> &b)
-    {
-      double sum = 0.;
-      for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
-        sum += .5 * (a[k] - b[k]) * (a[k] - b[k]);
-      return std::sqrt(sum);
-    }
   } // namespace
-
-
-
-  double
-  error_by_steps(const double with_all, const double with_half)
-  {
-    return 2. * std::abs(with_all - with_half);
-  }
-
-  std::string
-  with_error(const double value, const double error)
-  {
-    const double shown  = std::max(error, 1e-12 * std::abs(value));
-    const int    digits = std::max(
-      3, 1 + static_cast<int>(std::ceil(std::log10(std::abs(value) / shown))));
-    return rounded_text(value, std::min(digits, 8)) + " +- " +
-           rounded_text(error, 2);
-  }
-
-  double
-  CycleResult::frequency_error() const
-  {
-    return error_by_steps(figures.frequency, coarse_figures.frequency);
-  }
-
-  double
-  CycleResult::rms_normal_error() const
-  {
-    return std::max(
-      force_error(&ForceFigures::rms_normal),
-      error_by_steps(rms_of_difference(figures.normal_harmonics,
-                                       coarse_forces().normal_harmonics),
-                     0.));
-  }
-
-  double
-  CycleResult::force_error(double ForceFigures::*number) const
-  {
-    return error_by_steps(figures.*number, coarse_forces().*number);
-  }
-
-  const ForceFigures &
-  CycleResult::coarse_forces() const
-  {
-    return coarse_figures.pairs.empty() ? coarse_figures
-                                        : coarse_figures.pairs[figures.loudest];
-  }
-
-  std::string
-  CycleResult::status() const
-  {
-    const CycleStatus worst =
-      coarse.status == CycleStatus::converged ? motion.status : coarse.status;
-    switch (worst)
-      {
-      case CycleStatus::converged:
-        return "periodic";
-      case CycleStatus::not_converged:
-        return "not converged";
-      case CycleStatus::steady_sliding:
-        return "steady sliding";
-      case CycleStatus::no_period:
-        return "no period";
-      case CycleStatus::aperiodic:
-        return "aperiodic";
-      }
-    unknown_choice("status of a cycle");
-  }
 
 
 
@@ -475,10 +406,8 @@ namespace squeal
     catch (const ComputationError &e)
       {
         CycleResult result;
-        result.pair       = linear.lambda[k];
-        result.broken_off = "the search for a limit cycle from the pair at " +
-                            rounded_text(result.pair.imag() / (2. * M_PI), 6) +
-                            " Hz has broken off: " + e.what();
+        result.pair = linear.lambda[k];
+        break_off(result, e);
         return result;
       }
   }

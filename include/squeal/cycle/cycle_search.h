@@ -93,9 +93,10 @@ namespace squeal
    * periodic motion, by shooting with half the steps and with all of them as
    * soon as the run has settled. From an unstable cycle the run goes on, and
    * what it comes to later takes the place of that cycle if it is not unstable.
-   * Where the contact of the small motion at its start has no solution, as
-   * where another motion of the model grows so fast that it takes over, the
-   * search is broken off and has not converged.
+   * Where the contact of the small motion at its start or of the run has no
+   * solution before anything was found, as where another motion of the model
+   * grows so fast that it takes over, the search is broken off and has not
+   * converged.
    */
   CycleResult find_cycle(const PeriodMap            &map,
                          const SteadySliding        &steady,
