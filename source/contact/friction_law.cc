@@ -135,12 +135,24 @@ namespace squeal
   double
   FrictionLaw::steepest_fall(const double v) const
   {
+    return steepest(-1., v);
+  }
+
+  double
+  FrictionLaw::steepest_rise(const double v) const
+  {
+    return steepest(1., v);
+  }
+
+  double
+  FrictionLaw::steepest(const double sign, const double v) const
+  {
     // The exponential law is steepest at rest, a table between its points.
     if (kind != ContactParameters::FrictionLaw::table)
-      return std::max(0., -slope(0.));
+      return std::max(0., sign * slope(0.));
     double result = 0.;
     for (std::size_t i = 1; i < speeds.size() && speeds[i - 1] <= v; ++i)
-      result = std::max(result, -slope_before(i, speeds, coefficients));
+      result = std::max(result, sign * slope_before(i, speeds, coefficients));
     return result;
   }
 

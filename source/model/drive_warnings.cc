@@ -67,13 +67,21 @@ namespace squeal
     const double largest_speed =
       std::max(1., std::abs(t.final_speed_ratio)) * pressed.speed();
     Eigen::VectorXd steepest(model.n_nodes()), about(model.n_nodes());
+    bool            rises = false;
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       {
-        const ContactParameters &contact =
-          p.scene.contacts[pressed.nodes().pair_of(j)];
-        steepest[j] = FrictionLaw(contact).steepest_fall(largest_speed *
-                                                         model.speed_ratio[j]);
-        about[j]    = steepest[j] > 0. ? std::max(0., -friction.slope[j]) : 0.;
+        const FrictionLaw law(p.scene.contacts[pressed.nodes().pair_of(j)]);
+        const double      speed = largest_speed * model.speed_ratio[j];
+        // What sticks at rest is held by more than it slips against where
+        // friction falls; where it rises, slip that begins is chattered away.
+        const double fall = steady.status[j] == ContactStatus::slip
+                              ? law.steepest_fall(speed)
+                              : 0.,
+                     rise = law.steepest_rise(speed);
+        steepest[j]       = lag_slope(fall, rise);
+        about[j] = lag_slope(fall > 0. ? std::max(0., -friction.slope[j]) : 0.,
+                             rise > 0. ? std::max(0., friction.slope[j]) : 0.);
+        rises = rises || 2. * rise > fall;
       }
     const LagLimit limit = lag_limit(model, steady, steepest, t.time_step);
     if (!(limit.shortest > t.time_step))
@@ -82,13 +90,14 @@ namespace squeal
     log.warning(
       "'Transient/Time step' = " + rounded_text(t.time_step, 3) +
       " s is below the " + rounded_text(limit.shortest, 3) +
-      " s that friction which falls so steeply needs on a massless contact (" +
+      " s that friction which " + (rises ? "rises" : "falls") +
+      " so steeply needs on a massless contact (" +
       std::to_string(limit.n_above) + " of " +
-      std::to_string(steady.n_with(ContactStatus::slip)) +
-      " slipping nodes; in steady sliding " +
+      std::to_string(steady.n_closed()) + " closed nodes; in steady sliding " +
       rounded_text(in_steady.shortest, 3) +
-      " s): nodes may jump between sticking and slipping, and a limit cycle "
-      "is then no result; take a longer step or, with mortar contact, "
-      "'Integrator = implicit'");
+      " s): nodes may jump between sticking and slipping, and " +
+      (rises ? "mean forces, a vibration and a limit cycle are then no results"
+             : "a limit cycle is then no result") +
+      "; take a longer step or, with mortar contact, 'Integrator = implicit'");
   }
 } // namespace squeal

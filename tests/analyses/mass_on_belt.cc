@@ -3,7 +3,8 @@
 // A mass of three unknowns from matrices that slides on a belt: its limit cycle
 // is the same in files of any consistent units, also of those in which all
 // frequencies are small numbers; steps that are too short for friction that
-// falls with the slip rate are warned of. Arguments: the program and the claim.
+// falls or rises with the slip rate are warned of. Arguments: the program and
+// the claim.
 
 #include <squeal/results/table.h>
 
@@ -164,12 +165,18 @@ namespace
                                     "  set Static friction coefficient = 0.6\n"
                                     "  set Decay speed = 0.4\n",
                       // 1 s/m, from 0.6 m/s on: above the sliding speed.
-      table          = "  set Friction law = table\n"
-                       "  set Friction speeds = 0, 0.6, 0.8\n"
-                       "  set Friction coefficients = 0.5, 0.5, 0.3\n";
+      table = "  set Friction law = table\n"
+              "  set Friction speeds = 0, 0.6, 0.8\n"
+              "  set Friction coefficients = 0.5, 0.5, 0.3\n",
+                      // 0.4 s/m, of which twice the flexibility times the force
+                      // makes some 9 us.
+      rising         = "  set Friction law = table\n"
+                       "  set Friction speeds = 0, 0.5, 1\n"
+                       "  set Friction coefficients = 0.3, 0.5, 0.7\n";
     const auto warns = [&](const std::string &friction,
                            const std::string &step,
-                           const std::string &final_ratio) {
+                           const std::string &final_ratio,
+                           const std::string &what = "falls") {
       const Outcome o =
         run(program,
             {},
@@ -183,7 +190,7 @@ namespace
       check(o.code == 0, "the motion is computed: " + o.errors);
       std::printf("%s\n", o.errors.c_str());
       return unbroken(o.errors + o.output)
-               .find("that friction which falls so steeply needs") !=
+               .find("that friction which " + what + " so steeply needs") !=
              std::string::npos;
     };
     check(warns(exponential, "1e-6", "1"),
@@ -193,6 +200,9 @@ namespace
     check(warns(table, "1e-6", "2"), "one that the speed rises through is");
     check(warns(table, "1e-6", "-2"), "and so after it has turned back");
     check(!warns(table, "1e-6", "-1.1"), "but not below it");
+    check(warns(rising, "7e-6", "1", "rises"),
+          "of friction that rises twice the step is needed");
+    check(!warns(rising, "1.2e-5", "1", "rises"), "and no more than that");
   }
 } // namespace
 

@@ -317,36 +317,47 @@ namespace
   }
 
   /** The lag holds a node in longer steps than the flexibility times the fall
-   * of its friction, and no shorter ones: an oscillator that is damped enough
-   * to come to rest sticks and slips in those. */
+   * of its friction, or twice its rise, and no shorter ones: an oscillator that
+   * is damped enough to come to rest sticks and slips in those. */
   void
   shortest_step()
   {
-    constexpr double        flexibility = 1e-2;
-    const ContactParameters law         = falling(kinetic, kinetic + .1, .2);
-    const double            fall        = -FrictionLaw(law).slope(belt);
-    ReducedContactModel     m           = oscillator(1e-3);
-    m.flexibility = flexibility * Eigen::MatrixXd::Identity(3, 3);
-    m.damping[1]  = 1.;
-    const SteadySliding steady =
-      steady_sliding(m, FrictionLaw(law).coefficient(belt));
-    const Eigen::VectorXd fall_of_node = Eigen::VectorXd::Constant(1, fall);
-    const LagLimit        limit = lag_limit(m, steady, fall_of_node, 1e-3);
-    check_close(limit.shortest,
-                flexibility * fall,
-                1e-9,
-                "flexibility times normal force times fall");
-    check(limit.n_above == 1, "the node needs longer steps than 1 ms");
-    check(lag_limit(m, steady, fall_of_node, 1e-2).n_above == 0,
-          "and no longer ones than 10 ms");
-    const unsigned int shorter =
-                         steps_in_stick(m, law, steady, .7 * limit.shortest),
-                       longer =
-                         steps_in_stick(m, law, steady, 1.4 * limit.shortest);
-    std::printf(
-      "steps in stick: %u below the limit, %u above\n", shorter, longer);
-    check(shorter > 100, "the node jumps to and fro in shorter steps");
-    check(longer == 0, "the node slides on in longer ones");
+    constexpr double flexibility = 1e-2;
+    double           fall        = 0.;
+    for (const double excess : {-.1, .1})
+      {
+        const ContactParameters c = falling(kinetic, kinetic + excess, .2);
+        const FrictionLaw       law(c);
+        const std::string       name = excess > 0. ? "falls: " : "rises: ";
+        fall                         = -law.slope(belt);
+        check(law.steepest_fall(belt) == std::max(0., -law.slope(0.)) &&
+                law.steepest_rise(belt) == std::max(0., law.slope(0.)),
+              name + "steepest at rest");
+        ReducedContactModel m = oscillator(1e-3);
+        m.flexibility         = flexibility * Eigen::MatrixXd::Identity(3, 3);
+        m.damping[1]          = 1.;
+        const SteadySliding steady = steady_sliding(m, law.coefficient(belt));
+        const double slope = lag_slope(std::max(0., fall), std::max(0., -fall));
+        const Eigen::VectorXd of_node = Eigen::VectorXd::Constant(1, slope);
+        const LagLimit        limit   = lag_limit(m, steady, of_node, 1e-3);
+        check_close(limit.shortest,
+                    flexibility * (fall > 0. ? fall : -2. * fall),
+                    1e-9,
+                    name + "flexibility times normal force times slope");
+        check(limit.n_above == 1,
+              name + "the node needs longer steps than 1 ms");
+        check(lag_limit(m, steady, of_node, 1e-2).n_above == 0,
+              name + "and no longer ones than 10 ms");
+        const unsigned int shorter =
+                             steps_in_stick(m, c, steady, .7 * limit.shortest),
+                           longer =
+                             steps_in_stick(m, c, steady, 1.4 * limit.shortest);
+        std::printf(
+          "steps in stick: %u below the limit, %u above\n", shorter, longer);
+        check(shorter > 100,
+              name + "the node jumps to and fro in shorter steps");
+        check(longer == 0, name + "the node slides on in longer ones");
+      }
 
     // Nodes that give way together need the step of the stiffest sum.
     ReducedContactModel two = empty_model(2, 0);

@@ -56,6 +56,8 @@ namespace squeal
      * where the coefficient does not fall, and where all slip rates have one.
      */
     double steepest_fall(const double slip_rate) const;
+    /** As steepest_fall(), the largest dmu/d|v_t|. */
+    double steepest_rise(const double slip_rate) const;
     /** What the tangential force of a node that sticks is limited by. */
     double at_rest() const;
 
@@ -83,6 +85,8 @@ namespace squeal
                              const double           speed) const;
 
   private:
+    double steepest(const double sign, const double slip_rate) const;
+
     ContactParameters::FrictionLaw kind;
     double                         kinetic, static_excess, decay_speed;
     std::vector<double>            speeds, coefficients;
