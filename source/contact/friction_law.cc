@@ -253,9 +253,11 @@ namespace squeal
     NodalFriction result = NodalFriction::uniform(0., speed_ratio.size());
     for (Eigen::Index j = 0; j < speed_ratio.size(); ++j)
       {
-        const double v        = std::abs(speed) * speed_ratio[j];
-        result.coefficient[j] = v > 0. ? of(j).coefficient(v) : of(j).at_rest();
-        result.slope[j]       = v > 0. ? of(j).slope(v) : 0.;
+        const FrictionLaw &law   = of(j);
+        const double       v     = std::abs(speed) * speed_ratio[j];
+        const bool         slips = v > 0. || law.at_rest() == 0.;
+        result.coefficient[j]    = v > 0. ? law.coefficient(v) : law.at_rest();
+        result.slope[j]          = slips ? law.slope(v) : 0.;
       }
     return result;
   }

@@ -113,7 +113,7 @@ namespace squeal
     /** mu of @p n_nodes nodes that stick. */
     Eigen::VectorXd at_rest(const unsigned int n_nodes) const;
     /** As FrictionLaw::in_sliding(), each node by its law; nodes without speed
-     * stick. */
+     * stick, or slip with the slope at rest where friction rises from zero. */
     NodalFriction in_sliding(const Eigen::VectorXd &speed_ratio,
                              const double           speed) const;
 
