@@ -242,8 +242,8 @@ namespace squeal
       schema.add("History start",
                  t.history_start,
                  Allowed::number(0.),
-                 "Time from which the fields of the contact nodes are kept in "
-                 "contact_history.h5.",
+                 "Time from which the fields of the contact nodes and their "
+                 "changes of status are kept in contact_history.h5.",
                  "s");
       schema.add("Animation frames",
                  t.animation_frames,

@@ -181,7 +181,7 @@ namespace squeal
           if (now[j] != status[j])
             {
               kept.n_changes += 1.;
-              if (history)
+              if (history && motion->time() >= settings.history_start - 1e-9)
                 history->append(StatusChange{motion->time(), j, now[j]});
             }
         status               = now;

@@ -224,16 +224,22 @@ namespace squeal::tribology
     note_of_changes(const std::vector<StatusChange> &changes,
                     const HistoryReader             &reader)
     {
-      // squeal's own may lie behind the last sample, by less than one spacing
+      // squeal's own may lie behind the last sample, by less than one spacing.
+      // Those long before the first one say nothing where others lie within: a
+      // recording may begin after the motion does.
       const auto [first, last] = reader.time_range();
       const double spacing     = (last - first) / (reader.n_samples() - 1.);
-      std::size_t  n_beyond    = 0;
+      std::size_t  n_before = 0, n_behind = 0;
       for (const StatusChange &change : changes)
-        n_beyond +=
-          change.time < first - spacing || change.time > last + spacing;
-      return n_beyond == 0
+        {
+          n_before += change.time < first - spacing;
+          n_behind += change.time > last + spacing;
+        }
+      if (n_behind == 0 && n_before < changes.size())
+        return "";
+      return changes.empty()
                ? ""
-               : std::to_string(n_beyond) + " of " +
+               : std::to_string(n_before + n_behind) + " of " +
                    std::to_string(changes.size()) +
                    " times in 'status_changes/time' are not between the first "
                    "sample and the last one, " +
