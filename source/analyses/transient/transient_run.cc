@@ -430,8 +430,12 @@ namespace squeal
                               HistorySamples        &h) const
   {
     const ContactPair     &pair   = pressed.nodes().pairs()[number];
-    const Eigen::VectorXd &lambda = motion->forces();
+    Eigen::VectorXd        lambda = motion->forces();
     const Eigen::VectorXd &u      = motion->motion();
+    // What the tolerance of the contact law leaves on open nodes is no force.
+    for (std::size_t j = 0; j < status.size(); ++j)
+      if (status[j] == ContactStatus::open)
+        lambda.segment<3>(3 * j).setZero();
     h.time.push_back(s.time);
     const double step = motion->time() > 0. ? settings.step() : 1.;
     // Fields and their resultant have the axes of the face.
