@@ -5,6 +5,7 @@
 #include <squeal/model/drive_warnings.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/transient/lag_limit.h>
+#include <squeal/transient/modal_step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,20 @@ namespace squeal
                     rounded_text(longest, 4) +
                     " s: what follows the trigger is not told from what the "
                     "load does that comes on");
+    }
+
+    /** What to do where a lag needs steps of @p shortest, s. */
+    std::string
+    way_out_of_lag(const ReducedContactModel &model, const double shortest)
+    {
+      const double largest = largest_stable_step(model, shortest);
+      if (largest < shortest)
+        return "no step of this model is long enough (the largest stable one "
+               "is " +
+               rounded_text(largest, 3) +
+               " s): take 'Integrator = implicit', with mortar contact";
+      return "take a longer step or, with mortar contact, 'Integrator = "
+             "implicit'";
     }
   } // namespace
 
@@ -72,8 +87,8 @@ namespace squeal
       {
         const FrictionLaw law(p.scene.contacts[pressed.nodes().pair_of(j)]);
         const double      speed = largest_speed * model.speed_ratio[j];
-        // What sticks at rest is held by more than it slips against where
-        // friction falls; where it rises, slip that begins is chattered away.
+        // Friction that falls holds what sticks at rest; under friction that
+        // rises slip which begins there chatters.
         const double fall = steady.status[j] == ContactStatus::slip
                               ? law.steepest_fall(speed)
                               : 0.,
@@ -98,6 +113,6 @@ namespace squeal
       " s): nodes may jump between sticking and slipping, and " +
       (rises ? "mean forces, a vibration and a limit cycle are then no results"
              : "a limit cycle is then no result") +
-      "; take a longer step or, with mortar contact, 'Integrator = implicit'");
+      "; " + way_out_of_lag(model, limit.shortest));
   }
 } // namespace squeal
