@@ -28,18 +28,39 @@ namespace squeal
                     "load does that comes on");
     }
 
-    /** What to do where a lag needs steps of @p shortest, s. */
+    /** What to do where the lag of friction that falls or @p rises needs steps
+     * of @p shortest, s. The full integrators have a lag too, which the mass of
+     * the nodes bears where friction falls. */
     std::string
-    way_out_of_lag(const ReducedContactModel &model, const double shortest)
+    way_out_of_lag(const ReducedContactModel &model,
+                   const double               shortest,
+                   const bool                 rises)
     {
+      const std::string other =
+        rises ? "" : " or, with mortar contact, 'Integrator = implicit'";
       const double largest = largest_stable_step(model, shortest);
-      if (largest < shortest)
-        return "no step of this model is long enough (the largest stable one "
-               "is " +
-               rounded_text(largest, 3) +
-               " s): take 'Integrator = implicit', with mortar contact";
-      return "take a longer step or, with mortar contact, 'Integrator = "
-             "implicit'";
+      if (!(largest < shortest))
+        return "take a longer step" + other;
+      return "no step of this model is long enough (the largest stable one "
+             "is " +
+             rounded_text(largest, 3) + " s): take a law that is less steep" +
+             other;
+    }
+
+    /** What rising friction does to a node in a step of the full integrators,
+     * its mass must bear. */
+    void
+    warn_of_long_lag(const double rise, RunLog &log)
+    {
+      if (rise > 0.)
+        log.warning(
+          "friction rises with the slip rate by up to " +
+          rounded_text(rise, 3) +
+          " s/m and follows it a step later: unless 'Transient/Time step' is "
+          "short against the mass of a contact node over its normal force "
+          "times that rise, nodes jump between sticking and slipping, and "
+          "mean forces, a vibration and a limit cycle are no results; see "
+          "whether nodes stick that slip in steady sliding");
     }
   } // namespace
 
@@ -72,9 +93,7 @@ namespace squeal
                     const Parameters    &p,
                     RunLog              &log)
   {
-    const TransientParameters &t = p.transient;
-    if (t.integrator != TransientParameters::Integrator::reduced)
-      return;
+    const TransientParameters &t        = p.transient;
     const ReducedContactModel &model    = pressed.model();
     const NodalFriction        friction = pressed.sliding_friction();
     // The speed changes linearly, through zero where it turns back: the largest
@@ -82,7 +101,8 @@ namespace squeal
     const double largest_speed =
       std::max(1., std::abs(t.final_speed_ratio)) * pressed.speed();
     Eigen::VectorXd steepest(model.n_nodes()), about(model.n_nodes());
-    bool            rises = false;
+    double          largest_rise = 0.;
+    bool            rises        = false;
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       {
         const FrictionLaw law(p.scene.contacts[pressed.nodes().pair_of(j)]);
@@ -97,7 +117,11 @@ namespace squeal
         about[j] = lag_slope(fall > 0. ? std::max(0., -friction.slope[j]) : 0.,
                              rise > 0. ? std::max(0., friction.slope[j]) : 0.);
         rises = rises || 2. * rise > fall;
+        if (steady.status[j] != ContactStatus::open)
+          largest_rise = std::max(largest_rise, rise);
       }
+    if (t.integrator != TransientParameters::Integrator::reduced)
+      return warn_of_long_lag(largest_rise, log);
     const LagLimit limit = lag_limit(model, steady, steepest, t.time_step);
     if (!(limit.shortest > t.time_step))
       return;
@@ -113,6 +137,6 @@ namespace squeal
       " s): nodes may jump between sticking and slipping, and " +
       (rises ? "mean forces, a vibration and a limit cycle are then no results"
              : "a limit cycle is then no result") +
-      "; " + way_out_of_lag(model, limit.shortest));
+      "; " + way_out_of_lag(model, limit.shortest, rises));
   }
 } // namespace squeal

@@ -17,7 +17,8 @@ namespace squeal
 
   /** Warns where friction falls or rises with the slip rate and the steps of
    * the reduced integrator are so short that its lag holds no node, see
-   * lag_limit(). @p steady is that of @p pressed. */
+   * lag_limit(); with the full integrators where it rises at all. @p steady is
+   * that of @p pressed. */
   void warn_of_short_lag(const PressedModel  &pressed,
                          const SteadySliding &steady,
                          const Parameters    &parameters,
