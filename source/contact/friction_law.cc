@@ -135,12 +135,24 @@ namespace squeal
   double
   FrictionLaw::steepest_fall(const double v) const
   {
+    return steepest(-1., v);
+  }
+
+  double
+  FrictionLaw::steepest_rise(const double v) const
+  {
+    return steepest(1., v);
+  }
+
+  double
+  FrictionLaw::steepest(const double sign, const double v) const
+  {
     // The exponential law is steepest at rest, a table between its points.
     if (kind != ContactParameters::FrictionLaw::table)
-      return std::max(0., -slope(0.));
+      return std::max(0., sign * slope(0.));
     double result = 0.;
     for (std::size_t i = 1; i < speeds.size() && speeds[i - 1] <= v; ++i)
-      result = std::max(result, -slope_before(i, speeds, coefficients));
+      result = std::max(result, sign * slope_before(i, speeds, coefficients));
     return result;
   }
 
@@ -241,9 +253,11 @@ namespace squeal
     NodalFriction result = NodalFriction::uniform(0., speed_ratio.size());
     for (Eigen::Index j = 0; j < speed_ratio.size(); ++j)
       {
-        const double v        = std::abs(speed) * speed_ratio[j];
-        result.coefficient[j] = v > 0. ? of(j).coefficient(v) : of(j).at_rest();
-        result.slope[j]       = v > 0. ? of(j).slope(v) : 0.;
+        const FrictionLaw &law   = of(j);
+        const double       v     = std::abs(speed) * speed_ratio[j];
+        const bool         slips = v > 0. || law.at_rest() == 0.;
+        result.coefficient[j]    = v > 0. ? law.coefficient(v) : law.at_rest();
+        result.slope[j]          = slips ? law.slope(v) : 0.;
       }
     return result;
   }
@@ -310,7 +324,10 @@ namespace squeal
                    slope_before(*i, c.friction_speeds, c.friction_coefficients),
                  after = slope_before(
                    *i + 1, c.friction_speeds, c.friction_coefficients);
-    return before == after
+    // Slopes that differ by the rounding of the table alone are one.
+    constexpr double rounding = 1e-9;
+    return std::abs(before - after) <=
+               rounding * std::max(std::abs(before), std::abs(after))
              ? ""
              : "the sliding speed of contact '" + c.name + "', " +
                  rounded_text(c.sliding_speed, 4) +

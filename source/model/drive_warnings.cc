@@ -5,6 +5,7 @@
 #include <squeal/model/drive_warnings.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/transient/lag_limit.h>
+#include <squeal/transient/modal_step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,41 @@ namespace squeal
                     rounded_text(longest, 4) +
                     " s: what follows the trigger is not told from what the "
                     "load does that comes on");
+    }
+
+    /** What to do where the lag of friction that falls or @p rises needs steps
+     * of @p shortest, s. The full integrators have a lag too, which the mass of
+     * the nodes bears where friction falls. */
+    std::string
+    way_out_of_lag(const ReducedContactModel &model,
+                   const double               shortest,
+                   const bool                 rises)
+    {
+      const std::string other =
+        rises ? "" : " or, with mortar contact, 'Integrator = implicit'";
+      const double largest = largest_stable_step(model, shortest);
+      if (!(largest < shortest))
+        return "take a longer step" + other;
+      return "no step of this model is long enough (the largest stable one "
+             "is " +
+             rounded_text(largest, 3) + " s): take a law that is less steep" +
+             other;
+    }
+
+    /** What rising friction does to a node in a step of the full integrators,
+     * its mass must bear. */
+    void
+    warn_of_long_lag(const double rise, RunLog &log)
+    {
+      if (rise > 0.)
+        log.warning(
+          "friction rises with the slip rate by up to " +
+          rounded_text(rise, 3) +
+          " s/m and follows it a step later: unless 'Transient/Time step' is "
+          "short against the mass of a contact node over its normal force "
+          "times that rise, nodes jump between sticking and slipping, and "
+          "mean forces, a vibration and a limit cycle are no results; see "
+          "whether nodes stick that slip in steady sliding");
     }
   } // namespace
 
@@ -57,9 +93,7 @@ namespace squeal
                     const Parameters    &p,
                     RunLog              &log)
   {
-    const TransientParameters &t = p.transient;
-    if (t.integrator != TransientParameters::Integrator::reduced)
-      return;
+    const TransientParameters &t        = p.transient;
     const ReducedContactModel &model    = pressed.model();
     const NodalFriction        friction = pressed.sliding_friction();
     // The speed changes linearly, through zero where it turns back: the largest
@@ -67,14 +101,27 @@ namespace squeal
     const double largest_speed =
       std::max(1., std::abs(t.final_speed_ratio)) * pressed.speed();
     Eigen::VectorXd steepest(model.n_nodes()), about(model.n_nodes());
+    double          largest_rise = 0.;
+    bool            rises        = false;
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       {
-        const ContactParameters &contact =
-          p.scene.contacts[pressed.nodes().pair_of(j)];
-        steepest[j] = FrictionLaw(contact).steepest_fall(largest_speed *
-                                                         model.speed_ratio[j]);
-        about[j]    = steepest[j] > 0. ? std::max(0., -friction.slope[j]) : 0.;
+        const FrictionLaw law(p.scene.contacts[pressed.nodes().pair_of(j)]);
+        const double      speed = largest_speed * model.speed_ratio[j];
+        // Friction that falls holds what sticks at rest; under friction that
+        // rises slip which begins there chatters.
+        const double fall = steady.status[j] == ContactStatus::slip
+                              ? law.steepest_fall(speed)
+                              : 0.,
+                     rise = law.steepest_rise(speed);
+        steepest[j]       = lag_slope(fall, rise);
+        about[j] = lag_slope(fall > 0. ? std::max(0., -friction.slope[j]) : 0.,
+                             rise > 0. ? std::max(0., friction.slope[j]) : 0.);
+        rises = rises || 2. * rise > fall;
+        if (steady.status[j] != ContactStatus::open)
+          largest_rise = std::max(largest_rise, rise);
       }
+    if (t.integrator != TransientParameters::Integrator::reduced)
+      return warn_of_long_lag(largest_rise, log);
     const LagLimit limit = lag_limit(model, steady, steepest, t.time_step);
     if (!(limit.shortest > t.time_step))
       return;
@@ -82,13 +129,14 @@ namespace squeal
     log.warning(
       "'Transient/Time step' = " + rounded_text(t.time_step, 3) +
       " s is below the " + rounded_text(limit.shortest, 3) +
-      " s that friction which falls so steeply needs on a massless contact (" +
+      " s that friction which " + (rises ? "rises" : "falls") +
+      " so steeply needs on a massless contact (" +
       std::to_string(limit.n_above) + " of " +
-      std::to_string(steady.n_with(ContactStatus::slip)) +
-      " slipping nodes; in steady sliding " +
+      std::to_string(steady.n_closed()) + " closed nodes; in steady sliding " +
       rounded_text(in_steady.shortest, 3) +
-      " s): nodes may jump between sticking and slipping, and a limit cycle "
-      "is then no result; take a longer step or, with mortar contact, "
-      "'Integrator = implicit'");
+      " s): nodes may jump between sticking and slipping, and " +
+      (rises ? "mean forces, a vibration and a limit cycle are then no results"
+             : "a limit cycle is then no result") +
+      "; " + way_out_of_lag(model, limit.shortest, rises));
   }
 } // namespace squeal

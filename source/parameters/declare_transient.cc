@@ -217,8 +217,9 @@ namespace squeal
              Allowed::positive(),
              "Time step. Where friction falls with the slip rate, with "
              "'Integrator = reduced', it has to be longer than the flexibility "
-             "of a contact node times its normal force times that fall; a "
-             "warning names the shortest.",
+             "of a contact node times its normal force times that fall, and "
+             "where friction rises, than twice that with its rise; a warning "
+             "names the shortest.",
              "s")
         .resolution();
       schema.add(
@@ -241,8 +242,8 @@ namespace squeal
       schema.add("History start",
                  t.history_start,
                  Allowed::number(0.),
-                 "Time from which the fields of the contact nodes are kept in "
-                 "contact_history.h5.",
+                 "Time from which the fields of the contact nodes and their "
+                 "changes of status are kept in contact_history.h5.",
                  "s");
       schema.add("Animation frames",
                  t.animation_frames,

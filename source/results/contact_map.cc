@@ -23,9 +23,12 @@ namespace squeal
 
     /** Ranges of both axes, mm, @p margin beyond the face, and their ticks: with
      * equal scales a narrow face has little room for numbers. All panels have
-     * the same, whatever arrows they have. */
+     * the same, whatever arrows they have. A face of one place is as wide as
+     * that of its @p area, m^2. */
     std::string
-    axes_of(const std::vector<PlanarPoint> &places, const double margin)
+    axes_of(const std::vector<PlanarPoint> &places,
+            const double                    margin,
+            const double                    area)
     {
       std::array<double, 2> lower, extent;
       for (unsigned int c = 0; c < 2; ++c)
@@ -35,16 +38,19 @@ namespace squeal
               return a[c] < b[c];
             });
           lower[c]  = 1e3 * (*ends.first)[c];
-          extent[c] = 1e3 * (*ends.second)[c] - lower[c];
+          extent[c] = 1e3 * ((*ends.second)[c] - (*ends.first)[c]);
         }
-      const double longer = std::max({extent[0], extent[1], 1e-6});
-      const double beyond = std::max(1e3 * margin, 0.04 * longer);
-      std::string  text;
+      const bool   is_point = extent[0] == 0. && extent[1] == 0.;
+      const double longer   = std::max(
+        {extent[0], extent[1], 1e-6, is_point ? 1e3 * std::sqrt(area) : 0.});
+      const double beyond =
+        std::max(1e3 * margin, is_point ? longer : 0.04 * longer);
+      std::string text;
       for (unsigned int c = 0; c < 2; ++c)
         {
           const double most =
             std::max(1.5, std::floor((c == 0 ? 5. : 7.) * extent[c] / longer));
-          const double least = std::max(extent[c], 1e-6) / most,
+          const double least = std::max(extent[c], beyond) / most,
                        power = std::pow(10., std::floor(std::log10(least)));
           double step        = 10. * power;
           for (const double round : {5., 2., 1.})
@@ -292,7 +298,7 @@ namespace squeal
       std::accumulate(face.areas.begin(), face.areas.end(), 0.);
     const double length = std::min(2.4 * std::sqrt(area / face.areas.size()),
                                    0.3 * std::sqrt(area));
-    drawing.add(axes_of(face.places, longest > 0. ? 0.5 * length : 0.));
+    drawing.add(axes_of(face.places, longest > 0. ? 0.5 * length : 0., area));
     const std::string outline = outline_data(face);
     for (std::size_t k = 0; k < panels.size(); ++k)
       {

@@ -14,10 +14,18 @@ namespace squeal
 
 
 
+  double
+  lag_slope(const double fall, const double rise)
+  {
+    return std::max(fall, 2. * rise);
+  }
+
+
+
   LagLimit
   lag_limit(const ReducedContactModel &model,
             const SteadySliding       &steady,
-            const Eigen::VectorXd     &fall,
+            const Eigen::VectorXd     &slope,
             const double               step)
   {
     LagLimit              result;
@@ -26,9 +34,9 @@ namespace squeal
     const Eigen::MatrixXd G       = model.flexibility(along, along);
     Eigen::VectorXd       weights = Eigen::VectorXd::Zero(n);
     for (unsigned int j = 0; j < n; ++j)
-      if (steady.status[j] == ContactStatus::slip)
+      if (steady.status[j] != ContactStatus::open)
         {
-          weights[j] = std::sqrt(std::max(0., steady.forces[3 * j] * fall[j]));
+          weights[j] = std::sqrt(std::max(0., steady.forces[3 * j] * slope[j]));
           if (weights[j] * weights[j] * G(j, j) > step)
             ++result.n_above;
         }

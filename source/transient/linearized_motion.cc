@@ -10,6 +10,17 @@ namespace squeal
 {
   namespace
   {
+    /** A node of a pair at rest whose friction rises from zero: a dashpot
+     * against slip of any direction. */
+    bool
+    is_damped_at_rest(const ReducedContactModel &model,
+                      const NodalFriction       &friction,
+                      const int                  j)
+    {
+      return model.speed_ratio[j] == 0. && friction.coefficient[j] == 0. &&
+             friction.slope[j] > 0.;
+    }
+
     /** Rows of all nodal forces and motions, by what the nodes do. */
     struct ClosedRows
     {
@@ -31,7 +42,10 @@ namespace squeal
               normal_of_slipping.push_back(kept.size());
               kept.push_back(3 * j);
               along.push_back(3 * j + 1);
-              if (friction.coefficient[j] > 0.)
+              if (is_damped_at_rest(model, friction, j))
+                add(model, j, 1, across, across_in_modes);
+              if (friction.coefficient[j] > 0. ||
+                  is_damped_at_rest(model, friction, j))
                 add(model, j, 2, across, across_in_modes);
               break;
             }
@@ -62,7 +76,8 @@ namespace squeal
       std::vector<int> kept_by_modes;
       std::vector<int> normal_of_slipping; /**< places among them */
       /** Of slipping nodes; across the sliding of those with friction that are
-       * free to move there, on the flexibility and in the modes alone. */
+       * free to move there, on the flexibility and in the modes alone. Of nodes
+       * that are damped at rest these have both directions. */
       std::vector<int> along, across, across_in_modes;
     };
 
@@ -165,13 +180,17 @@ namespace squeal
           {
             const int j = rows.slipping[i];
             mu[i]       = friction.coefficient[j];
-            by_slip[i]  = friction.slope[j] * steady.forces[3 * j];
+            by_slip[i]  = is_damped_at_rest(m, friction, j)
+                            ? 0.
+                            : friction.slope[j] * steady.forces[3 * j];
           }
         const double least = 1e-6 * steady.resultant()[0] / steady.n_closed();
         const auto   inverse_rate_of = [&](const int j) {
-          return speed * model.speed_ratio[j] /
-                 (friction.coefficient[j] *
-                  std::max(steady.forces[3 * j], least));
+          const double force = std::max(steady.forces[3 * j], least);
+          return is_damped_at_rest(m, friction, j)
+                     ? 1. / (friction.slope[j] * force)
+                     : speed * model.speed_ratio[j] /
+                       (friction.coefficient[j] * force);
         };
         for (Eigen::Index k = 0; k < inverse_rate.size(); ++k)
           inverse_rate[k] = inverse_rate_of(rows.across[k] / 3);
@@ -207,7 +226,8 @@ namespace squeal
       /** The flexibility, and some where nothing moves along the face, m/N. */
       Eigen::MatrixXd G;
       /** mu, p_0 dmu/dv of the slipping nodes, |V|/(mu p_0) of those that
-       * `across` has, and its inverse, N s/m, of those of `across_in_modes`. */
+       * `across` has (1/(p_0 dmu/dv) at rest), and its inverse, N s/m, of those
+       * of `across_in_modes`. */
       Eigen::VectorXd mu, by_slip, inverse_rate, dashpots;
     };
 
@@ -360,7 +380,12 @@ namespace squeal
     const Eigen::Index n_s = closed.rows.across.size();
     result.across          = A.bottomRightCorner(n_s, n_s);
     result.rows_across     = closed.rows.across;
-    result.by_slope        = Eigen::VectorXcd::Zero(result.lambda.size());
+    // At rest the size of the force lags by the slope, and its direction alone
+    // is that of the step.
+    for (Eigen::Index i = 0; i < n_s; ++i)
+      if (is_damped_at_rest(model, friction, result.rows_across[i] / 3))
+        result.across.col(i).setZero();
+    result.by_slope = Eigen::VectorXcd::Zero(result.lambda.size());
     if (!friction.slope.isZero(0.))
       result.by_slope =
         (result.left * change_by_slope(model, steady, friction, speed))

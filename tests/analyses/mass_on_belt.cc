@@ -3,8 +3,11 @@
 // A mass of three unknowns from matrices that slides on a belt: its limit cycle
 // is the same in files of any consistent units, also of those in which all
 // frequencies are small numbers; steps that are too short for friction that
-// falls with the slip rate are warned of. Arguments: the program and the claim.
+// falls or rises with the slip rate are warned of; its history has no force
+// where it is open, and no changes from before its start. Arguments: the
+// program and the claim.
 
+#include <squeal/results/contact_history.h>
 #include <squeal/results/table.h>
 
 #include "program.h"
@@ -164,12 +167,18 @@ namespace
                                     "  set Static friction coefficient = 0.6\n"
                                     "  set Decay speed = 0.4\n",
                       // 1 s/m, from 0.6 m/s on: above the sliding speed.
-      table          = "  set Friction law = table\n"
-                       "  set Friction speeds = 0, 0.6, 0.8\n"
-                       "  set Friction coefficients = 0.5, 0.5, 0.3\n";
+      table = "  set Friction law = table\n"
+              "  set Friction speeds = 0, 0.6, 0.8\n"
+              "  set Friction coefficients = 0.5, 0.5, 0.3\n",
+                      // 0.4 s/m, of which twice the flexibility times the force
+                      // makes some 9 us.
+      rising         = "  set Friction law = table\n"
+                       "  set Friction speeds = 0, 0.5, 1\n"
+                       "  set Friction coefficients = 0.3, 0.5, 0.7\n";
     const auto warns = [&](const std::string &friction,
                            const std::string &step,
-                           const std::string &final_ratio) {
+                           const std::string &final_ratio,
+                           const std::string &what = "falls") {
       const Outcome o =
         run(program,
             {},
@@ -183,7 +192,7 @@ namespace
       check(o.code == 0, "the motion is computed: " + o.errors);
       std::printf("%s\n", o.errors.c_str());
       return unbroken(o.errors + o.output)
-               .find("that friction which falls so steeply needs") !=
+               .find("that friction which " + what + " so steeply needs") !=
              std::string::npos;
     };
     check(warns(exponential, "1e-6", "1"),
@@ -193,6 +202,43 @@ namespace
     check(warns(table, "1e-6", "2"), "one that the speed rises through is");
     check(warns(table, "1e-6", "-2"), "and so after it has turned back");
     check(!warns(table, "1e-6", "-1.1"), "but not below it");
+    check(warns(rising, "7e-6", "1", "rises"),
+          "of friction that rises twice the step is needed");
+    check(!warns(rising, "1.2e-5", "1", "rises"), "and no more than that");
+  }
+
+  /** A blow lifts the mass off the belt again and again. */
+  void
+  history_of_open_contact(const std::string &program)
+  {
+    constexpr double start = .01;
+    const Outcome    o =
+      run(program,
+          {},
+          "transient",
+          "  set Friction coefficient = 0.3\n",
+          "subsection Transient\n set Cut-off = 20000\n"
+          " set Start = steady sliding\n set Disturbance = 0.1\n"
+          " set Time step = 1e-5\n set Sample interval = 1e-5\n"
+          " set End time = 0.02\n set History start = 0.01\nend\n");
+    check(o.code == 0, "the motion is computed: " + o.errors);
+    const HistoryReader reader("out/contact_history.h5");
+    HistorySamples      s;
+    reader.read(0, reader.n_samples(), s);
+    unsigned int n_open = 0, n_pressed = 0, n_pulled = 0;
+    for (std::size_t i = 0; i < s.n_samples(); ++i)
+      if (static_cast<ContactStatus>(s.status[i]) == ContactStatus::open)
+        {
+          ++n_open;
+          n_pressed += s.pressure[i] != 0.;
+          n_pulled += s.traction[2 * i] != 0. || s.traction[2 * i + 1] != 0.;
+        }
+    std::printf("%u of %zu samples are open\n", n_open, s.n_samples());
+    check(n_open > 50 && n_open + 50 < s.n_samples(), "it opens and closes");
+    check(n_pressed == 0 && n_pulled == 0, "an open contact has no forces");
+    const auto changes = reader.status_changes();
+    check(changes.size() > 2, "changes of status are written");
+    check(changes.front().time >= start - 1e-9, "none from before the start");
   }
 } // namespace
 
@@ -205,6 +251,8 @@ main(int argc, char *argv[])
     units(argv[1]);
   else if (claim == "short_lag")
     short_lag(argv[1]);
+  else if (claim == "open")
+    history_of_open_contact(argv[1]);
   else
-    check(false, "a claim: units or short_lag");
+    check(false, "a claim: units, short_lag or open");
 }

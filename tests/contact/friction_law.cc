@@ -83,6 +83,12 @@ namespace
               "a sliding speed there is named");
       }
     check(remark_on_kink(contact).empty(), "one between points is not");
+    // Two slopes of 4 s/m that differ by rounding.
+    ContactParameters straight     = contact;
+    straight.friction_speeds       = {0., .05, .1};
+    straight.friction_coefficients = {.3, .5, .7};
+    straight.sliding_speed         = .05;
+    check(remark_on_kink(straight).empty(), "nor a point of a straight line");
   }
 
   void

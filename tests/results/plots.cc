@@ -5,6 +5,7 @@
 #include <squeal/base/files.h>
 #include <squeal/base/run_log.h>
 #include <squeal/results/chart_layout.h>
+#include <squeal/results/contact_map.h>
 #include <squeal/results/plots.h>
 
 #include <cmath>
@@ -268,6 +269,26 @@ namespace
             other.warnings().size() == 1,
           "and no further one");
   }
+
+  /** The contact of imported matrices may be a node, or a row of them. */
+  void
+  test_map_of_a_node(const Plotter &plotter)
+  {
+    for (const std::vector<PlanarPoint> &places :
+         {std::vector<PlanarPoint>{{{.02, .01}}},
+          std::vector<PlanarPoint>{{{.02, .01}}, {{.03, .01}}}})
+      {
+        DrawnFace face;
+        face.places = places;
+        for (const PlanarPoint &place : places)
+          face.points.push_back({{place[0], place[1], 0.}});
+        face.areas.assign(places.size(), 1e-4);
+        ContactMap::Panel panel;
+        panel.values.assign(places.size(), 2.);
+        check(ContactMap(face).plot(plotter, {panel}, folder + "node"),
+              "a map of " + std::to_string(places.size()) + " nodes is drawn");
+      }
+  }
 } // namespace
 
 int
@@ -286,6 +307,7 @@ main()
   test_low_frequencies(plotter);
   test_nothing(plotter);
   test_general_chart(plotter);
+  test_map_of_a_node(plotter);
   check(log.warnings().empty(), "no warning so far");
   test_failures(plotter, log);
   fs::remove_all(folder);

@@ -173,6 +173,63 @@ namespace
     check(says_unknown(count(plain())), "nor of two equal samples");
   }
 
+  bool
+  says(const HistoryDamage &damage, const std::string &part)
+  {
+    for (const std::string &note : damage.notes)
+      if (note.find(part) != std::string::npos)
+        return true;
+    return false;
+  }
+
+  /** Half waves of 120 samples, 1 MPa high, 100 open samples apart: what a
+   * contact law leaves of an open contact is no cycle, and larger noise of it
+   * does not make the waves shorter. */
+  void
+  rests_of_open_contacts()
+  {
+    constexpr std::size_t n      = 4400;
+    const auto            damage = [](const double rest) {
+      write_history(n, [&](const std::size_t i) {
+        const std::size_t k = i % 220;
+        return k < 120 ? 1e6 * std::sin(M_PI * (k + .5) / 120.)
+                          : k % 3 ? 0.
+                                  : (k % 2 ? -rest : rest);
+      });
+      return count(plain());
+    };
+    const HistoryDamage clean = damage(0.), small = damage(.005),
+                        large = damage(500.);
+    check_close(clean.nodes[0].cycles, 20., 1e-12, "a cycle a wave", .51);
+    check(small.nodes[0].cycles == clean.nodes[0].cycles &&
+            small.nodes[0].damage == clean.nodes[0].damage,
+          "rests of 5e-9 of the waves change nothing");
+    check(!says(small, "cannot pull"), "and are no tension");
+    check(says(large, "cannot pull"), "those of 5e-4 are");
+    for (const HistoryDamage &d : {clean, small, large})
+      {
+        check(d.lost.is_known, "waves of 120 samples show their tops");
+        check_close(d.lost.share, 0., 1., "and next to nothing is lost", 5e-3);
+      }
+  }
+
+  /** A recording that begins after the motion. */
+  void
+  changes_before_the_first_sample()
+  {
+    const auto notes_of = [](const std::vector<double> &times) {
+      std::vector<StatusChange> changes;
+      for (const double time : times)
+        changes.push_back({interval * time, 0, ContactStatus::slip});
+      write_history(
+        11, [](std::size_t) { return 1e6; }, changes);
+      return says(count(plain()), "are not between the first sample");
+    };
+    check(!notes_of({-50., -5., 4.5}), "changes before it are passed over");
+    check(notes_of({-50., -5.}), "not where none is among the samples");
+    check(notes_of({-5., 4.5, 50.}), "nor where some are behind the last one");
+  }
+
   /** Node 0 opens for a fifth of each interval; node 1 stays. */
   void
   recorded_changes()
@@ -255,6 +312,8 @@ main()
 {
   lost_peaks();
   lost_pulses();
+  rests_of_open_contacts();
+  changes_before_the_first_sample();
   recorded_changes();
   period();
 }

@@ -56,6 +56,8 @@ namespace squeal
      * where the coefficient does not fall, and where all slip rates have one.
      */
     double steepest_fall(const double slip_rate) const;
+    /** As steepest_fall(), the largest dmu/d|v_t|. */
+    double steepest_rise(const double slip_rate) const;
     /** What the tangential force of a node that sticks is limited by. */
     double at_rest() const;
 
@@ -83,6 +85,8 @@ namespace squeal
                              const double           speed) const;
 
   private:
+    double steepest(const double sign, const double slip_rate) const;
+
     ContactParameters::FrictionLaw kind;
     double                         kinetic, static_excess, decay_speed;
     std::vector<double>            speeds, coefficients;
@@ -109,7 +113,7 @@ namespace squeal
     /** mu of @p n_nodes nodes that stick. */
     Eigen::VectorXd at_rest(const unsigned int n_nodes) const;
     /** As FrictionLaw::in_sliding(), each node by its law; nodes without speed
-     * stick. */
+     * stick, or slip with the slope at rest where friction rises from zero. */
     NodalFriction in_sliding(const Eigen::VectorXd &speed_ratio,
                              const double           speed) const;
 

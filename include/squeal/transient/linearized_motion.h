@@ -18,7 +18,8 @@ namespace squeal
     Eigen::VectorXcd lambda; /**< sigma + i omega, omega >= 0, ascending in
                                 omega */
     /** Rows l_k: l_k (q; v; lambda across the sliding at the nodes that slip
-     * with friction) is the amplitude of pair k in a motion, scaled so that an
+     * with friction, along the whole face at those that friction damps at rest)
+     * is the amplitude of pair k in a motion, scaled so that an
      * eigenmotion of kinetic energy amplitude 1 J has amplitude 1. Where two
      * pairs have coalesced the scale is lost in rounding, but their amplitudes
      * still grow by lambda. */
@@ -33,7 +34,8 @@ namespace squeal
     /** What a relative change of all slopes dmu/d|v_t| adds to each eigenvalue,
      * over it, 1/s; zero with constant friction. */
     Eigen::VectorXcd by_slope;
-    /** What lambda across the sliding has part in its own rate, 1/s. */
+    /** What lambda across the sliding has part in its own rate, 1/s; columns of
+     * nodes at rest are zero. */
     Eigen::MatrixXd across;
     /** Which of all nodal forces those are. */
     std::vector<int> rows_across;
@@ -49,7 +51,9 @@ namespace squeal
    * Closed nodes keep u_n. Nodes that stick keep all of u; the friction of
    * those that slip follows the normal force and turns with the slip: along the
    * sliding mu lambda_n and p_0 dmu/d|v_t| times the
-   * slip rate there, across it mu p_0/|V| times the slip rate across.
+   * slip rate there, across it mu p_0/|V| times the slip rate across. Nodes of
+   * a pair at rest whose friction rises from zero have p_0 dmu/d|v_t| times the
+   * slip rate in both directions, with what it does to the flexibility.
    *
    * The slip rate that the slope sees leaves out what the slope itself does to
    * the massless flexibility G: with a falling law that alone would grow at the

@@ -164,7 +164,7 @@ namespace squeal
          shown("steps_per_second") + ", " + shown("iterations_per_step") +
            " iterations a step"}};
       if (!f.loudest.name.empty())
-        figures.emplace_back("mean normal force of the pairs together",
+        figures.emplace_back("mean normal force of the sliding pairs together",
                              shown("mean_normal_n") + " N");
       if (!trigger.text.empty())
         figures.emplace_back(

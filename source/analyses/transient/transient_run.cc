@@ -181,7 +181,7 @@ namespace squeal
           if (now[j] != status[j])
             {
               kept.n_changes += 1.;
-              if (history)
+              if (history && motion->time() >= settings.history_start - 1e-9)
                 history->append(StatusChange{motion->time(), j, now[j]});
             }
         status               = now;
@@ -430,8 +430,12 @@ namespace squeal
                               HistorySamples        &h) const
   {
     const ContactPair     &pair   = pressed.nodes().pairs()[number];
-    const Eigen::VectorXd &lambda = motion->forces();
+    Eigen::VectorXd        lambda = motion->forces();
     const Eigen::VectorXd &u      = motion->motion();
+    // What the tolerance of the contact law leaves on open nodes is no force.
+    for (std::size_t j = 0; j < status.size(); ++j)
+      if (status[j] == ContactStatus::open)
+        lambda.segment<3>(3 * j).setZero();
     h.time.push_back(s.time);
     const double step = motion->time() > 0. ? settings.step() : 1.;
     // Fields and their resultant have the axes of the face.

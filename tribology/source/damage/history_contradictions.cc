@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/number_text.h>
 #include <squeal/tribology/damage/history_contradictions.h>
+#include <squeal/tribology/fatigue/open_contact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace squeal::tribology
   namespace
   {
     // Of the largest value of a history; a contact opens between two samples.
-    constexpr double rounding_of_values = 1e-9, worth_a_line = 0.01;
+    constexpr double worth_a_line = 0.01;
 
     /** Length of the mean of unit vectors from which they have a direction, and
      * cosine of the angle from which two directions contradict each other. */
@@ -160,7 +161,7 @@ namespace squeal::tribology
   HistoryContradictions::notes(const std::vector<SurfaceSums> &sums) const
   {
     std::vector<std::string> lines;
-    if (lowest < -rounding_of_values * highest)
+    if (lowest < -rest_of_none * highest)
       lines.push_back("the pressure is negative in " +
                       std::to_string(n_tension) + " values, down to " +
                       rounded_text(lowest, 3) + " Pa at node " +

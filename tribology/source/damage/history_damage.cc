@@ -5,6 +5,7 @@
 #include <squeal/tribology/damage/history_contradictions.h>
 #include <squeal/tribology/damage/history_damage.h>
 #include <squeal/tribology/damage/sample_spacing.h>
+#include <squeal/tribology/fatigue/open_contact.h>
 #include <squeal/tribology/fatigue/spectral.h>
 
 #include <algorithm>
@@ -44,11 +45,13 @@ namespace squeal::tribology
 
 
 
-    /** Stress of all nodes: a row for each node. */
+    /** Stress of all nodes: a row for each node. What is not above @p none, Pa
+     * and >= 0, in size is 0: an open contact has no cycles. */
     RowMajor
     stresses(const HistorySamples    &s,
              const std::size_t        n_nodes,
-             const FatigueParameters &fatigue)
+             const FatigueParameters &fatigue,
+             const double             none)
     {
       using Q = FatigueParameters::Quantity;
       RowMajor          result(n_nodes, s.n_samples());
@@ -64,7 +67,11 @@ namespace squeal::tribology
         for (std::size_t k = 0; k < n_nodes; k += edge)
           for (std::size_t a = i; a < std::min(i + edge, s.n_samples()); ++a)
             for (std::size_t b = k; b < std::min(k + edge, n_nodes); ++b)
-              result(b, a) = factor * values[(a * n_nodes + b) * step + offset];
+              {
+                const double value =
+                  factor * values[(a * n_nodes + b) * step + offset];
+                result(b, a) = std::abs(value) > none ? value : 0.;
+              }
       return result;
     }
 
@@ -79,9 +86,10 @@ namespace squeal::tribology
     {
       double lowest = 1e300, highest = -1e300;
       for_each_chunk(reader, window, n_chunk, [&](const HistorySamples &s) {
-        const RowMajor stress = stresses(s, reader.layout().n_nodes(), fatigue);
-        lowest                = std::min(lowest, stress.minCoeff());
-        highest               = std::max(highest, stress.maxCoeff());
+        const RowMajor stress =
+          stresses(s, reader.layout().n_nodes(), fatigue, 0.);
+        lowest  = std::min(lowest, stress.minCoeff());
+        highest = std::max(highest, stress.maxCoeff());
       });
       return {{lowest, highest}};
     }
@@ -224,16 +232,22 @@ namespace squeal::tribology
     note_of_changes(const std::vector<StatusChange> &changes,
                     const HistoryReader             &reader)
     {
-      // squeal's own may lie behind the last sample, by less than one spacing
+      // squeal's own may lie behind the last sample, by less than one spacing.
+      // Those long before the first one say nothing where others lie within: a
+      // recording may begin after the motion does.
       const auto [first, last] = reader.time_range();
       const double spacing     = (last - first) / (reader.n_samples() - 1.);
-      std::size_t  n_beyond    = 0;
+      std::size_t  n_before = 0, n_behind = 0;
       for (const StatusChange &change : changes)
-        n_beyond +=
-          change.time < first - spacing || change.time > last + spacing;
-      return n_beyond == 0
+        {
+          n_before += change.time < first - spacing;
+          n_behind += change.time > last + spacing;
+        }
+      if (n_behind == 0 && n_before < changes.size())
+        return "";
+      return changes.empty()
                ? ""
-               : std::to_string(n_beyond) + " of " +
+               : std::to_string(n_before + n_behind) + " of " +
                    std::to_string(changes.size()) +
                    " times in 'status_changes/time' are not between the first "
                    "sample and the last one, " +
@@ -314,8 +328,10 @@ namespace squeal::tribology
     const std::array<double, 2> bounds =
       stress_bounds(reader, window, history.chunk, fatigue);
     const auto [lowest, highest] = bounds;
-    const CountingRules plain    = counting_rules(fatigue);
-    CountingRules       rules    = plain;
+    const double none =
+      rest_of_none * std::max(std::abs(lowest), std::abs(highest));
+    const CountingRules plain = counting_rules(fatigue);
+    CountingRules       rules = plain;
     const double        largest =
       fatigue.largest_range > 0. ? fatigue.largest_range : highest - lowest;
     rules.empty_matrix.emplace(fatigue.n_classes,
@@ -355,7 +371,7 @@ namespace squeal::tribology
       contradictions.add(s);
       spacing.add(s.time);
       result.samples += s.n_samples();
-      const RowMajor stress = stresses(s, n, fatigue);
+      const RowMajor stress = stresses(s, n, fatigue, none);
       if (begin.size() == 0)
         begin = stress.col(0);
       end = stress.col(stress.cols() - 1);

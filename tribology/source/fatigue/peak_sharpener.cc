@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/fatigue/open_contact.h>
 #include <squeal/tribology/fatigue/peak_sharpener.h>
 
 #include <algorithm>
@@ -32,10 +33,18 @@ namespace squeal::tribology
 
 
 
+  bool
+  PeakSharpener::is_within(const double share) const
+  {
+    return std::abs(now) <= share * largest;
+  }
+
+
+
   double
   PeakSharpener::top(const double next) const
   {
-    if (now == before || now == 0.)
+    if (now == before || is_within(rest_of_none))
       return now;
     const double bend = 2. * now - before - next;
     if (was_open)
@@ -68,7 +77,8 @@ namespace squeal::tribology
     const auto is_open = [this](const double value) {
       return std::abs(value) <= open * std::abs(now);
     };
-    if (now == 0.)
+    // What is small beside the ranges so far hides nothing.
+    if (is_within(open))
       return false;
     // Two equal samples are a pulse of their own, more are a step.
     if (now == before)
@@ -98,7 +108,7 @@ namespace squeal::tribology
         unseen += hides || hid ? power : 0.;
       }
     hid      = hides;
-    was_open = now == 0.;
+    was_open = is_within(rest_of_none);
     turning  = raised;
   }
 

@@ -41,6 +41,9 @@ namespace squeal::tribology
     double unseen_share() const;
 
   private:
+    /** Whether the middle sample is up to @p share of the largest range so
+     * far: that of an open contact. */
+    bool   is_within(double share) const;
     double top(double next) const;
     bool   is_unseen(double next) const;
     void   turn(double next, double raised);
@@ -49,7 +52,7 @@ namespace squeal::tribology
     std::size_t n_values = 0;
     double      earlier = 0., before = 0., now = 0.;
     double      turning   = 0.;    /**< the extremum before, raised */
-    bool        was_open  = false; /**< the sample of that extremum is 0 */
+    bool        was_open  = false; /**< that extremum was of none */
     bool        hid       = false; /**< that extremum is unseen */
     int         direction = 0;     /**< of the last change: up 1, down -1 */
     /** Sums of the ranges over the largest one, to the power of the exponent:
