@@ -63,7 +63,7 @@ end
   end
 end
 )",
-                         "0.008");
+                         "0.004");
     }
 
     /** The stability map of the TriboBrake, coarse, about its pair of 5 kHz. */

@@ -95,6 +95,14 @@ namespace
 set Analysis         = transient
 set Output directory = campaign
 set Overwrite        = true
+subsection Scene
+  subsection Body beam
+    set Cells = 2, 16, 1
+  end
+  subsection Body pin
+    set Cells = 2, 2, 4
+  end
+end
 subsection Transient
   set Disturbance     = 1e-6
   set Cut-off         = 80e3
@@ -113,7 +121,8 @@ subsection Sweep
   end
 end
 subsection Output
-  set Plots = false
+  set Plots  = false
+  set Report = false
 end
 )");
     const Outcome outcome = run_program({program, "campaign.prm"});

@@ -130,7 +130,8 @@ main(int argc, char *argv[])
   const unsigned int n_kills = std::stoi(argv[3]);
   std::mt19937       random(argc == 5 ? std::stoi(argv[4]) : 1);
   std::vector<Case>  cases;
-  cases.push_back(undisturbed("transient", pin_on_beam(folder, ""), program));
+  cases.push_back(
+    undisturbed("transient", pin_on_beam(folder, "", "0.015"), program));
   cases.push_back(undisturbed("campaign", pin_campaign(folder), program));
   cases.push_back(undisturbed("sweep", brake_sweep(folder), program));
   check_saved_basis(cases.back(), program);

@@ -126,6 +126,7 @@ namespace
   {
     run("operating matrix",
         "subsection Discretization\n set Degree = 1\nend\n"
+        "subsection Eigenvalues\n set Highest frequency = 3000\nend\n"
         "subsection Operating matrix\n set Pressures = 4e6\n"
         " set Both directions = true\nend\n");
     same("operating_matrix.csv", {"frequency_hz", "sigma_per_s"}, 1e-8);

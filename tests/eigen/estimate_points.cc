@@ -36,6 +36,8 @@ namespace
     scene(const double x)
     {
       SceneParameters s         = coarse_brake(.5);
+      s.bodies[1].cells         = {{1, 1, 1}};
+      s.bodies[2].cells         = {{1, 1, 6}};
       s.bodies[1].young_modulus = std::pow(10., x);
       return s;
     }

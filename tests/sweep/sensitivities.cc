@@ -129,22 +129,27 @@ namespace
   void
   beside_a_coalescence(const CoarseBrake &brake, const ReducedModel &model)
   {
-    // The closest encounter on a line: the largest condition.
+    // The closest encounter on a line: the largest condition of all points,
+    // then of those around the best.
     SweepPoint   point(2), at(2);
-    unsigned int a    = 0;
-    double       most = 0.;
-    for (unsigned int k = 0; k <= 400; ++k)
-      {
-        point << 9. + 0.005 * k, 0.5;
-        const ComplexPairs pairs = brake.solve(model, point);
-        for (unsigned int i = 0; i < pairs.size(); ++i)
-          if (pairs.condition[i] > most)
-            {
-              most = pairs.condition[i];
-              at   = point;
-              a    = i;
-            }
-      }
+    unsigned int a      = 0;
+    double       most   = 0.;
+    const auto   search = [&](const double from, const double by, const int n) {
+      for (int k = 0; k <= n; ++k)
+        {
+          point << from + k * by, 0.5;
+          const ComplexPairs pairs = brake.solve(model, point);
+          for (unsigned int i = 0; i < pairs.size(); ++i)
+            if (pairs.condition[i] > most)
+              {
+                most = pairs.condition[i];
+                at   = point;
+                a    = i;
+              }
+        }
+    };
+    search(9., 0.02, 100);
+    search(at[0] - 0.015, 0.005, 6);
     check(most > 20., "a nearly coalesced pair");
     const ComplexPairs pairs = solve_point_refined(
       model, at, brake.system.coefficients(at), brake.options.band);

@@ -329,7 +329,7 @@ namespace
   steady()
   {
     const double        mu = .3, dt = 1e-6;
-    const Reduced       r(cube(1e-7), 100e3, 0., false, 1);
+    const Reduced       r(cube(2e-7), 100e3, 0., false, 1);
     const SteadySliding s = steady_sliding(r.model, mu);
     std::printf("steady: %u of %u closed\n", s.n_closed(), r.model.n_nodes());
     check_below(std::abs(s.resultant()[1] / s.resultant()[0] - mu),
@@ -347,7 +347,7 @@ namespace
             full_model(r), dt, pressed_drive(mu), force / r.model.n_nodes());
         const std::string name = is_reduced ? "reduced" : "implicit";
         Worst             closed;
-        start_floor(*run, r.model, 4e-3, [&]() {
+        start_floor(*run, r.model, 2e-3, [&]() {
           const auto        &status   = run->status();
           const unsigned int n_closed = static_cast<unsigned int>(
             121 -

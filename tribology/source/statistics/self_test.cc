@@ -91,9 +91,10 @@ namespace squeal::tribology
 
 
   void
-  SelfTest::add_pair(SelfTestRow     &row,
-                     const GridMap   &pattern,
-                     std::mt19937_64 &generator)
+  SelfTest::add_pair(SelfTestRow       &row,
+                     const GridMap     &pattern,
+                     const unsigned int n_surrogates,
+                     std::mt19937_64   &generator)
   {
     const auto    lengths   = lengths_of(row);
     GridMap       x         = random_map(n, n, lengths, generator);
@@ -136,7 +137,8 @@ namespace squeal::tribology
   SelfTest::run(const SharedPattern pattern,
                 const double        length,
                 const double        link,
-                const unsigned int  n_pairs)
+                const unsigned int  n_pairs,
+                const unsigned int  n_surrogates)
   {
     SelfTestRow row;
     row.pattern          = pattern;
@@ -152,7 +154,7 @@ namespace squeal::tribology
                             static_cast<unsigned int>(1000. * link),
                             static_cast<unsigned int>(pattern)};
         std::mt19937_64 generator(seeds);
-        add_pair(row, common, generator);
+        add_pair(row, common, n_surrogates, generator);
       }
     return row;
   }

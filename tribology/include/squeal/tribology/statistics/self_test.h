@@ -44,13 +44,15 @@ namespace squeal::tribology
   public:
     explicit SelfTest(const CorrelationParameters &parameters);
 
+    /** Surrogates of each pair. */
+    static constexpr unsigned int n_surrogates = 199;
+
+    /** Without surrogates SelfTestRow::n_surrogate and n_both are 0. */
     SelfTestRow run(SharedPattern pattern,
                     double        length,
                     double        link,
-                    unsigned int  n_pairs);
-
-    /** Surrogates of each pair. */
-    static constexpr unsigned int n_surrogates = 199;
+                    unsigned int  n_pairs,
+                    unsigned int  n_surrogates = SelfTest::n_surrogates);
 
   private:
     static constexpr std::size_t n = 11;
@@ -60,6 +62,7 @@ namespace squeal::tribology
 
     void add_pair(SelfTestRow     &row,
                   const GridMap   &shared,
+                  unsigned int     n_surrogates,
                   std::mt19937_64 &generator);
 
     CorrelationParameters parameters;
