@@ -42,6 +42,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/agreement.cc
     source/images/area_evidence.cc
     source/images/areas.cc
+    source/images/brightness_levels.cc
     source/images/cell_grid.cc
     source/images/centre_line.cc
     source/images/crack_depth.cc
