@@ -109,5 +109,6 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/statistics/sliding_of_pad.cc
     source/statistics/spatial.cc
     source/statistics/spatial_covariance.cc
+    source/statistics/table_faults.cc
     source/subsurface/half_space.cc
     source/subsurface/pad_block.cc)
