@@ -42,6 +42,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/agreement.cc
     source/images/area_evidence.cc
     source/images/areas.cc
+    source/images/brightness_levels.cc
     source/images/cell_grid.cc
     source/images/centre_line.cc
     source/images/crack_depth.cc
@@ -108,5 +109,6 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/statistics/sliding_of_pad.cc
     source/statistics/spatial.cc
     source/statistics/spatial_covariance.cc
+    source/statistics/table_faults.cc
     source/subsurface/half_space.cc
     source/subsurface/pad_block.cc)

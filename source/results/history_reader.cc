@@ -77,14 +77,38 @@ namespace squeal
 
 
 
-    /** Names of the pairs; none in version 1. */
+    /** Names of the pairs, of groups and of files; none in version 1. */
     std::vector<std::string>
     pair_names(const Hdf5File &file)
     {
       if (file.number_attribute("format_version") ==
           HistoryWriter::format_version)
         return {};
-      return file.read_texts("pair_names");
+      const auto names = file.read_texts("pair_names");
+      for (auto name = names.begin(); name != names.end(); ++name)
+        if (name->empty() || *name == "." || *name == ".." ||
+            name->find('/') != std::string::npos)
+          refuse(file.path(),
+                 "has the contact pair '" + *name +
+                   "': the name is that of a group and of files, without '/'");
+        else if (std::find(names.begin(), name, *name) != name)
+          refuse(file.path(), "has two contact pairs '" + *name + "'");
+      return names;
+    }
+
+    /** All pairs have the times of the first. */
+    void
+    check_times_of_pairs(const Hdf5File &file)
+    {
+      std::vector<double> first;
+      for (const std::string &name : pair_names(file))
+        if (auto times = file.read("pairs/" + name + "/samples/time");
+            first.empty())
+          first = std::move(times);
+        else if (times != first)
+          refuse(file.path(),
+                 "has other times in the contact pair '" + name +
+                   "' than in the first");
     }
 
     /** Where the pair asked for is. */
@@ -246,6 +270,7 @@ namespace squeal
     check_format(file);
     group     = group_of(file, pair);
     what.pair = pair;
+    check_times_of_pairs(file);
     read_layout();
   }
 

@@ -13,6 +13,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace squeal;
@@ -139,6 +140,67 @@ namespace
 
 
 
+  /** An even floor of pits has the higher peak of the histogram also where it
+   * is the smaller part: the brighter level is the surface. Where it is the
+   * larger part, the error holds that it came off. */
+  void
+  check_large_pits()
+  {
+    check_shown(disc({200, 150}, 122), "a pit of 39 % of the image");
+    cv::Mat pits = cv::Mat::zeros(size, CV_8U);
+    for (int y = 30; y < size.height; y += 60)
+      for (int x = 25; x < size.width; x += 50)
+        cv::circle(pits, {x, y}, 20, 255, cv::FILLED);
+    check_shown(pits, "many pits of 42 % of the image");
+    const cv::Mat         pit = disc({200, 150}, 145);
+    const ImageStatistics s   = measure(segmentation_of(pit, 0.4, 1.), 1., {});
+    const double          is  = cv::countNonZero(pit) / double(pit.total());
+    std::printf("a pit of %.1f %%: stated %.1f +- %.1f %%\n",
+                100. * is,
+                100. * s.exfoliation_fraction,
+                100. * s.exfoliation_fraction_error);
+    check(s.bulk_is_darker && std::abs(s.darker_level_fraction - is) < 0.02,
+          "the darker of two levels with the larger part is known");
+    check(!s.shows_exfoliations() &&
+            s.exfoliation_fraction + 2. * s.exfoliation_fraction_error >= is,
+          "and the error holds that it came off");
+    const ImageStatistics shade =
+      measure(segmentation_of(disc({200, 150}, 120), 0.4, 30.), 1., {});
+    check(shade.darker_level_fraction == 0.,
+          "a large shade has no rim and makes no two levels");
+  }
+
+
+
+  /** A dark band may be a crack too wide to be found, what lies along the
+   * border and what is as wide as long are none. */
+  void
+  check_bands()
+  {
+    const auto band_of = [](const cv::Mat &mask) {
+      const Segmentation s = segmentation_of(mask, 0.4, 1.);
+      ExcludedLine       band;
+      for (const ExcludedLine &line : s.excluded)
+        if (line.reason == Exclusion::wide)
+          band = line;
+      const double error = 1e3 * measure(s, 1., {}).crack_length_error;
+      std::printf("dark band %.1f px wide, %zu px long, error of the length "
+                  "%.0f px\n",
+                  band.width,
+                  band.pixels.size(),
+                  error);
+      return std::pair(band, error);
+    };
+    const auto [crack, error] = band_of(bar({60, 140, 280, 14}));
+    check(std::abs(crack.width - 14.) < 2., "a wide crack has its width");
+    check(2. * error > 280., "and the error of the length holds it");
+    check(band_of(bar({0, 0, 16, 300})).first.width == 0.,
+          "the border of a specimen is no band");
+    check(band_of(disc({200, 150}, 30)).first.width == 0., "nor is a pit");
+  }
+
+
+
   /** A bright even place is stated with an error as large as itself. */
   void
   check_plateau()
@@ -206,6 +268,28 @@ namespace
             text_of("pit/run.log").find("no evidence of exfoliations") ==
               std::string::npos,
           "a pit is stated as one");
+    cv::Mat most = surface();
+    darken(most, disc({200, 150}, 130), -0.2, 1.);
+    run(most, "most");
+    const std::string log = text_of("most/run.log");
+    check(log.find("two levels of brightness") != std::string::npos,
+          "two levels are stated");
+    check(log.find("any up to 100 %") != std::string::npos,
+          "no share is more than the whole");
+    cv::Mat band = surface();
+    darken(band, bar({60, 140, 280, 14}), 0.4, 1.);
+    const auto lines = run(band, "band").at("cracks").at("excluded");
+    check(std::any_of(lines.begin(),
+                      lines.end(),
+                      [](const auto &line) {
+                        return line.at("reason") == "wide dark band";
+                      }),
+          "the record lists a dark band");
+    check(text_of("band/run.log").find("a dark band 1") != std::string::npos,
+          "and the log states its width");
+    run(cv::Mat(size, CV_32F, cv::Scalar(255.)), "blank");
+    check(text_of("blank/run.log").find("one value, 255") != std::string::npos,
+          "an image of one value shows nothing");
   }
 } // namespace
 
@@ -218,6 +302,8 @@ main(int argc, char **argv)
   program = argv[1];
   cv::setNumThreads(1);
   check_drawn_areas();
+  check_large_pits();
+  check_bands();
   check_plateau();
   check_statements();
   return 0;

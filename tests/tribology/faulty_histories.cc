@@ -2,7 +2,7 @@
 
 // What is wrong with a history is said in the words of what is wrong: nodes at
 // one place, changes of status that no sample reaches, damage beyond the
-// numbers. Argument: the program.
+// numbers, pairs that share a name or not their times. Argument: the program.
 #include "../analyses/program.h"
 
 #include <squeal/results/contact_history.h>
@@ -77,6 +77,52 @@ namespace
 
 
 
+  /** Names of pairs are those of groups and files, and all have one time. */
+  void
+  unlike_pairs()
+  {
+    const auto write = [](const std::string &second, const double factor) {
+      HistoryLayout layout;
+      for (const double y : {0., 1e-3})
+        for (const double x : {0., 1e-3})
+          layout.points.push_back({{x, y, 0.}});
+      layout.areas.assign(4, .25e-6);
+      layout.has_gap = layout.has_slip_rate = layout.has_resultants = false;
+      layout.has_status                                             = false;
+      std::vector<HistoryLayout> pairs(2, layout);
+      pairs[0].pair = "a";
+      pairs[1].pair = second;
+      HistoryWriter  writer("pairs.h5", pairs);
+      HistorySamples s;
+      s.pressure.assign(12, 1e6);
+      s.traction.assign(24, 1e5);
+      for (const std::size_t pair : {0, 1})
+        {
+          const double step = pair == 0 ? 1e-3 : factor * 1e-3;
+          s.time            = {0., step, 2. * step};
+          writer.append(s, pair);
+        }
+      writer.finish();
+    };
+    write("b", 1.);
+    check(run_damage("pairs.h5", "").code == 0, "two pairs of one time pass");
+    write("b", 2.);
+    const Outcome times = run_damage("pairs.h5", "");
+    check(times.code == 2 &&
+            has(times.errors,
+                "other times in the contact pair 'b' than in the first"),
+          "pairs of other times are refused: " + times.errors);
+    for (const std::string name : {"c/d", ".."})
+      {
+        write(name, 1.);
+        const Outcome outcome = run_damage("pairs.h5", "");
+        check(outcome.code == 2 && has(outcome.errors, "contact pair '" + name),
+              "the name '" + name + "' is refused: " + outcome.errors);
+      }
+  }
+
+
+
   /** The damage at an exponent of 100 under stresses far above the one of
    * reference. */
   void
@@ -125,4 +171,5 @@ main(int argc, char **argv)
   program = argv[1];
   doubled_nodes_and_late_changes();
   beyond_numbers();
+  unlike_pairs();
 }

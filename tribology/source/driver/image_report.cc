@@ -25,6 +25,15 @@ namespace squeal::tribology
 
 
 
+    /** A share that is not excluded, per cent: none is more than the whole. */
+    std::string
+    up_to_text(const double share, const double error)
+    {
+      return rounded_text(100. * std::min(1., share + 2. * error), 2);
+    }
+
+
+
     /** A share with its deviation, per cent. */
     std::string
     share_text(const double share, const double error)
@@ -40,12 +49,12 @@ namespace squeal::tribology
     std::string
     exfoliated_in_words(const ImageStatistics &s)
     {
-      const double least = 2. * s.exfoliation_fraction_error;
       return s.shows_exfoliations()
                ? share_text(s.exfoliation_fraction,
                             s.exfoliation_fraction_error)
                : "none shown, up to " +
-                   rounded_text(100. * (s.exfoliation_fraction + least), 2);
+                   up_to_text(s.exfoliation_fraction,
+                              s.exfoliation_fraction_error);
     }
 
 
@@ -281,14 +290,22 @@ namespace squeal::tribology
                           " % of the area is dark without a rim, which may be "
                           "shading or stains; an image with light from another "
                           "side, or depths, would tell");
+        if (s.darker_level_fraction > 0.)
+          lines.push_back(
+            i.stem + ": the image has two levels of brightness; the darker " +
+            "covers " + rounded_text(100. * s.darker_level_fraction, 2) +
+            " % and is taken for " +
+            (s.bulk_is_darker
+               ? "the surface, since it has the larger part: if it came off, "
+                 "that is the exfoliated share, and the error holds it"
+               : "what came off, since the brighter has the larger part") +
+            "; look at the overlay, or mark the areas in 'Area masks'");
         if (s.plateau_fraction > 0. && !i.is_synthetic)
           lines.push_back(
             i.stem +
             ": no evidence of contact plateaus but "
             "brightness: their area may be any up to " +
-            rounded_text(
-              100. * (s.plateau_fraction + 2. * s.plateau_fraction_error), 2) +
-            " %");
+            up_to_text(s.plateau_fraction, s.plateau_fraction_error) + " %");
       }
     return lines;
   }

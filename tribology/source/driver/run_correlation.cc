@@ -261,6 +261,10 @@ namespace squeal::tribology
       context.log.warning(line);
     for (const std::string &line : warnings_of_texts(pads, p))
       context.log.warning(line);
+    for (const std::string &line : warnings_of_doubled_rows(pads, p))
+      context.log.warning(line);
+    for (const std::string &line : warnings_of_long_pads(pads, p))
+      context.log.warning(line);
     for (const std::string &line : warnings_of_lacking_covariates(pads))
       context.log.warning(line);
     for (const std::string &line : warnings_of_assumed_edges(pads, p))

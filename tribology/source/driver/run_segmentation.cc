@@ -10,6 +10,7 @@
 #include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/element_map.h>
 #include <squeal/tribology/images/image_files.h>
+#include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/mosaic.h>
 #include <squeal/tribology/images/section_profile.h>
 #include <squeal/tribology/images/segmentation_record.h>
@@ -31,7 +32,7 @@ namespace squeal::tribology
 
     /** Pixels. The judge of lines knows no wider cracks, whatever the filters
      * reach. */
-    constexpr double widest_found = 15.;
+    constexpr double widest_found = 10.;
 
     /** Pixels: how far a line may lie from a straight one, on the mean, and its
      * ends from the border. */
@@ -269,6 +270,21 @@ namespace squeal::tribology
             "image with larger pixels, or mark them in 'Masks'");
       }
 
+      /** Dark bands that may be cracks too wide to be found. */
+      void
+      warn_of_bands(const Micrograph &m, const Segmentation &found) const
+      {
+        for (const ExcludedLine &band : found.excluded)
+          if (band.reason == Exclusion::wide)
+            context.log.warning(
+              m.path + ": a dark band " + rounded_text(band.width, 2) +
+              " pixels wide and " +
+              rounded_text(length_of_pixels(band.pixels), 3) +
+              " pixels long may be a crack too wide to be found: the error of "
+              "the length holds it; give the image with larger pixels, or mark "
+              "it in 'Masks'");
+      }
+
       /** Where nothing is dark along drawn lines, or all around them, their
        * width is not known. */
       void
@@ -319,6 +335,7 @@ namespace squeal::tribology
           if (!p.mosaic)
             rate(i, shown.grey, found, entry);
           warn_of_lines_unseen(m, found.cracks);
+          warn_of_bands(m, found);
           warn_of_straight_lines(i, found.cracks.centre_line);
         }
         entry.stem         = m.stem;

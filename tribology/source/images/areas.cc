@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/area_evidence.h>
 #include <squeal/tribology/images/areas.h>
+#include <squeal/tribology/images/brightness_levels.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -24,6 +25,9 @@ namespace squeal::tribology
     constexpr double rim_smoothing     = 1.;  // pixels, to see a step at a rim
     constexpr double outline_error     = 0.7; // pixels
     constexpr double unsettled_error   = 0.3; // of the area of dark places
+    // That the darker of two levels is what came off, where it has more of the
+    // area: pits in a surface look as plateaus above one.
+    constexpr double level_odds = 0.5;
     // By how much, of itself, the contrast that makes a plateau is not known.
     constexpr double limit_error = 0.5;
 
@@ -49,38 +53,6 @@ namespace squeal::tribology
       const auto middle = sample.begin() + sample.size() / 2;
       std::nth_element(sample.begin(), middle, sample.end());
       return *middle;
-    }
-
-
-
-    /** Most frequent value and the deviation of the peak around it, from its
-     * width at six tenths of its height, where something is @p seen. */
-    std::pair<double, double>
-    main_peak(const cv::Mat1f &values, const SeenPixels &seen)
-    {
-      constexpr int    n     = 400;
-      constexpr double range = 1.; // -1 .. 1
-      cv::Mat1f        counts(1, n, 0.F);
-      for (int y = 0; y < values.rows; ++y)
-        for (int x = 0; x < values.cols; ++x)
-          {
-            const int i = int((values(y, x) + range) / (2. * range) * n);
-            if (i >= 0 && i < n && is_seen(seen, y, x))
-              counts(0, i) += 1.F;
-          }
-      cv::GaussianBlur(counts, counts, cv::Size(0, 0), 1.5, 0.1);
-      const int top =
-        int(std::max_element(counts.begin(), counts.end()) - counts.begin());
-      const float level = 0.6065F * counts(0, top);
-      int         left = top, right = top;
-      while (left > 0 && counts(0, left) > level)
-        --left;
-      while (right < n - 1 && counts(0, right) > level)
-        ++right;
-      const double width = 2. * range / n;
-      // A second peak close by widens one side only.
-      const double deviation = std::max(1, std::min(top - left, right - top));
-      return {(top + 0.5) * width - range, deviation * width};
     }
 
 
@@ -246,16 +218,21 @@ namespace squeal::tribology
 
 
     /** Deviation, pixels: of the outlines, of dark places that may be areas all
-     * the same (shading is wrong in all of them at once), of what the border
-     * cuts, and of areas too small to be looked for. */
+     * the same (shading is wrong in all of them at once), of a bulk that may be
+     * one, of what the border cuts, and of areas too small to be looked for. */
     double
     exfoliation_error(const AreaMap      &map,
                       const double        cut_off,
                       const AreaSettings &settings,
                       const SeenPixels   &seen)
     {
+      const double bulk =
+        map.bulk_is_darker
+          ? map.darker_share * n_seen(seen, map.exfoliation.size())
+          : 0.;
       return std::sqrt(
         std::pow(outline_error * outline_length(map.exfoliation, seen), 2) +
+        level_odds * std::pow(bulk, 2) +
         std::pow(unsettled_error * cv::countNonZero(map.unsettled), 2) +
         std::pow(cut_off, 2) + std::pow(settings.smallest_area, 2));
     }
@@ -326,7 +303,7 @@ namespace squeal::tribology
           flat.at<float>(y, x) = float(grey.at<float>(y, x) * std::exp(-sum));
         }
     const double top  = 255.;
-    const double bulk = main_peak(cv::Mat(flat * (1. / top)), seen).first * top;
+    const double bulk = levels_of(cv::Mat(flat * (1. / top)), seen).bulk * top;
     return flat * (1. / std::max(1., bulk)) - 1.;
   }
 
@@ -351,15 +328,15 @@ namespace squeal::tribology
     cv::GaussianBlur(
       weight, norm, cv::Size(), smoothing, smoothing, cv::BORDER_REFLECT_101);
     cv::divide(smooth, norm, smooth);
-    const auto [bulk, deviation] = main_peak(smooth, seen);
-    const cv::Mat rough          = local_roughness(flat);
-    const double  usual          = median_of(rough, seen);
+    const BrightnessLevels levels = levels_of(smooth, seen);
+    const double           bulk   = levels.bulk;
+    const cv::Mat          rough  = local_roughness(flat);
+    const double           usual  = median_of(rough, seen);
 
-    const double dark =
-      std::max(settings.dark_contrast, deviations_needed * deviation);
-    const double bright =
-      std::max(settings.bright_contrast, deviations_needed * deviation);
-    AreaMap map;
+    const double apart  = deviations_needed * levels.deviation;
+    const double dark   = std::max(settings.dark_contrast, apart);
+    const double bright = std::max(settings.bright_contrast, apart);
+    AreaMap      map;
     map.exfoliation = clean(smooth < bulk - inner_share * dark,
                             smooth < bulk - dark,
                             settings.smallest_area);
@@ -374,7 +351,12 @@ namespace squeal::tribology
     keep_seen(map.exfoliation, seen);
     const AreasWithoutRim left = take_without_rim(
       map.exfoliation, fine - bulk, line, settings.dark_contrast, seen);
-    map.unsettled      = left.taken;
+    map.unsettled = left.taken;
+    if (have_rim_between(levels, smooth, fine, settings.dark_contrast, seen))
+      {
+        map.darker_share   = levels.darker_share;
+        map.bulk_is_darker = levels.bulk_is_darker();
+      }
     map.rough          = rough_parts(map.exfoliation, rough, rough_pit * usual);
     const cv::Mat even = rough < plateau_roughness * usual;
     const auto    plateau_from = [&](const double least) {

@@ -78,6 +78,8 @@ namespace squeal::tribology
         return "too little in all";
       case Exclusion::rim:
         return "rim of an exfoliation";
+      case Exclusion::wide:
+        return "wide dark band";
       }
     return "";
   }

@@ -450,6 +450,13 @@ namespace squeal::tribology
     if (!(m.pixel_size > 0.) || !std::isfinite(m.pixel_size))
       throw InputError(path + ": the pixel size of its metadata is not "
                               "positive: set 'Pixel size'");
+    double darkest, brightest;
+    cv::minMaxLoc(m.grey(m.frame), &darkest, &brightest);
+    if (darkest == brightest)
+      m.warnings.push_back("all pixels have one value, " +
+                           rounded_text(brightest, 4) +
+                           ": the image shows nothing, and what is found in it "
+                           "says nothing");
     return m;
   }
 } // namespace squeal::tribology

@@ -135,9 +135,11 @@ namespace squeal::tribology
     else
       {
         // Whoever drew them knows what the dark places are.
-        AreaMap &drawn    = segmentation.areas;
-        drawn.exfoliation = consensus_of(masks);
-        drawn.unsettled   = cv::Mat();
+        AreaMap &drawn       = segmentation.areas;
+        drawn.exfoliation    = consensus_of(masks);
+        drawn.unsettled      = cv::Mat();
+        drawn.darker_share   = 0.;
+        drawn.bulk_is_darker = false;
         drawn.exfoliation_error =
           drawn_outline * outline_length(drawn.exfoliation, segmentation.seen);
       }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/line_position.h>
 #include <squeal/tribology/images/segmentation.h>
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace squeal::tribology
@@ -21,6 +23,10 @@ namespace squeal::tribology
     constexpr double beside     = 4.5; // pixels
     // Between a crack and an area, over the crack's other side.
     constexpr float least_gap = 0.3F;
+    // A dark place that may be a wide crack: length over thickness, and the
+    // part of it that may lie on the border or on a crack that is found.
+    constexpr double least_slenderness = 6.;
+    constexpr double most_known        = 0.3;
 
     /** Removes areas along which a crack runs and that are long for their
      * thickness, or that lie beside cracks for the most part: they are the
@@ -119,6 +125,76 @@ namespace squeal::tribology
       remove_spurs(centre_line, longest_line_spur);
       return taken;
     }
+    /** Places of @p dark, of which nothing but their brightness is known, that
+     * are as slender as a crack and may be one that is too wide for the finder
+     * of lines. Those along the border or along @p line are the edge of the
+     * specimen and the shoulders of cracks. */
+    std::vector<ExcludedLine>
+    slender_places(const cv::Mat    &dark,
+                   const cv::Mat    &line,
+                   const SeenPixels &seen)
+    {
+      std::vector<ExcludedLine> bands;
+      if (cv::countNonZero(dark) == 0)
+        return bands;
+      cv::Mat known;
+      cv::dilate(line, known, cv::Mat(), {-1, -1}, exfoliation_rim);
+      cv::Mat border = cv::Mat::zeros(dark.size(), CV_8U);
+      if (!seen.empty())
+        cv::dilate(~seen, border, cv::Mat());
+      cv::rectangle(border, cv::Rect({0, 0}, dark.size()), 255);
+      cv::Mat1f depth;
+      cv::distanceTransform(dark, depth, cv::DIST_L2, 5);
+      cv::Mat1i labels, stats;
+      cv::Mat   centroids;
+      const int n =
+        cv::connectedComponentsWithStats(dark, labels, stats, centroids, 8);
+      for (int l = 1; l < n; ++l)
+        {
+          const cv::Rect box(stats(l, cv::CC_STAT_LEFT),
+                             stats(l, cv::CC_STAT_TOP),
+                             stats(l, cv::CC_STAT_WIDTH),
+                             stats(l, cv::CC_STAT_HEIGHT));
+          const cv::Mat  part = labels(box) == l;
+          double         radius;
+          cv::minMaxLoc(depth(box), nullptr, &radius, nullptr, nullptr, part);
+          const double area   = stats(l, cv::CC_STAT_AREA),
+                       length = area / (2. * radius);
+          if (length < least_slenderness * 2. * radius ||
+              cv::countNonZero(part & known(box)) > most_known * area ||
+              cv::countNonZero(part & border(box)) > most_known * length)
+            continue;
+          cv::Mat axis = thin(part);
+          remove_spurs(axis, longest_line_spur, cv::Mat1f(depth(box)));
+          PixelPath pixels;
+          cv::findNonZero(axis, pixels);
+          if (pixels.empty())
+            continue;
+          for (cv::Point &p : pixels)
+            p += box.tl();
+          bands.push_back(
+            {pixels, 0.5, Exclusion::wide, area / length_of_pixels(pixels)});
+        }
+      return bands;
+    }
+
+
+
+    /** Lists the dark bands of @p result, with even odds of being cracks. All
+     * of an image are likely to be of one kind. */
+    void
+    add_bands(Segmentation &result, const cv::Mat &line)
+    {
+      double length = 0.;
+      for (const ExcludedLine &band :
+           slender_places(result.areas.unsettled, line, result.seen))
+        {
+          length += length_of_pixels(band.pixels);
+          result.excluded.push_back(band);
+        }
+      FinderDoubt &doubt = result.cracks.doubt;
+      doubt.unsettled    = std::hypot(doubt.unsettled, std::sqrt(0.5) * length);
+    }
   } // namespace
 
 
@@ -148,6 +224,7 @@ namespace squeal::tribology
     // A crack may be covered there, or there are two.
     result.cracks.doubt.invented += result.cracks.bridged;
     result.excluded = found.excluded;
+    add_bands(result, line);
     if (!rims.empty())
       {
         cv::Mat taken = cv::Mat::zeros(grey.size(), CV_8U);

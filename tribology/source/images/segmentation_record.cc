@@ -136,9 +136,10 @@ namespace squeal::tribology
       json["exfoliation"] = areas_json(s.exfoliation_fraction,
                                        s.exfoliation_fraction_error,
                                        s.exfoliation_areas);
-      json["exfoliation"]["without_rim_fraction"] = s.unsettled_fraction;
-      json["exfoliation"]["is_shown"]             = s.shows_exfoliations();
-      json["plateaus"]                            = areas_json(
+      json["exfoliation"]["without_rim_fraction"]  = s.unsettled_fraction;
+      json["exfoliation"]["darker_level_fraction"] = s.darker_level_fraction;
+      json["exfoliation"]["is_shown"]              = s.shows_exfoliations();
+      json["plateaus"]                             = areas_json(
         s.plateau_fraction, s.plateau_fraction_error, s.plateau_areas);
       json["cracks"]["expected_missed_mm"]   = 1e-3 * i.pixel_size * i.missed;
       json["cracks"]["expected_invented_mm"] = 1e-3 * i.pixel_size * i.invented;

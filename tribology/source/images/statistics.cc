@@ -198,6 +198,8 @@ namespace squeal::tribology
     r.exfoliation_fraction_error = s.areas.exfoliation_error / n;
     r.plateau_fraction_error     = s.areas.plateau_error / n;
     r.unsettled_fraction         = areas.of(s.areas.unsettled) / areas.seen;
+    r.darker_level_fraction      = s.areas.darker_share;
+    r.bulk_is_darker             = s.areas.bulk_is_darker;
     r.exfoliation_areas = part_areas(s.areas.exfoliation, areas.of_pixels);
     r.plateau_areas     = part_areas(s.areas.plateau, areas.of_pixels);
     return r;

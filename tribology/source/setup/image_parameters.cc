@@ -67,7 +67,7 @@ namespace squeal::tribology
                  s.largest_width,
                  Allowed::number(0.),
                  "Widest dark line that is looked for; 0: 9 pixels. Cracks "
-                 "wider than about 15 pixels are mostly not found: give the "
+                 "wider than about 10 pixels are mostly not found: give the "
                  "image with larger pixels, or mark them in 'Masks'.",
                  "um");
       schema.add("Smallest area",

@@ -50,17 +50,34 @@ namespace squeal::tribology
         }
       return weight;
     }
+
+
+
+    /** @p x over a power of two near its largest size, which rounds nothing:
+     * squares of tiny and of huge values stay in range. */
+    std::vector<double>
+    in_range(std::vector<double> x)
+    {
+      double largest = 0.;
+      for (const double v : x)
+        largest = std::max(largest, std::abs(v));
+      if (largest > 0. && std::isfinite(largest))
+        for (double &v : x)
+          v = std::scalbn(v, -std::ilogb(largest));
+      return x;
+    }
   } // namespace
 
 
 
   double
-  pearson(const std::vector<double> &x, const std::vector<double> &y)
+  pearson(const std::vector<double> &of_x, const std::vector<double> &of_y)
   {
-    const double n  = static_cast<double>(x.size());
-    const double mx = std::accumulate(x.begin(), x.end(), 0.) / n;
-    const double my = std::accumulate(y.begin(), y.end(), 0.) / n;
-    double       xx = 0., yy = 0., xy = 0.;
+    const std::vector<double> x = in_range(of_x), y = in_range(of_y);
+    const double              n  = static_cast<double>(x.size());
+    const double              mx = std::accumulate(x.begin(), x.end(), 0.) / n;
+    const double              my = std::accumulate(y.begin(), y.end(), 0.) / n;
+    double                    xx = 0., yy = 0., xy = 0.;
     for (std::size_t i = 0; i < x.size(); ++i)
       {
         xx += (x[i] - mx) * (x[i] - mx);

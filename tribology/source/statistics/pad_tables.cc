@@ -8,6 +8,7 @@
 #include <squeal/tribology/statistics/feature_rows.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 #include <squeal/tribology/statistics/sliding_of_pad.h>
+#include <squeal/tribology/statistics/table_faults.h>
 
 #include <algorithm>
 #include <cmath>
@@ -253,8 +254,9 @@ namespace squeal::tribology
     {
       std::vector<Table::Column> needed = places;
       needed.push_back({"area_m2", Table::Type::real, "m^2", ""});
-      const Table damage   = read_csv(damage_file, needed);
-      const Table features = read_csv(feature_file, places);
+      const Table damage   = read_whole_csv(damage_file, needed);
+      const Table features = read_whole_csv(feature_file, places);
+      require_possible_features(features, feature_file);
       std::vector<std::array<double, 3>> points;
       for (std::size_t i = 0; i < damage.n_rows(); ++i)
         {
@@ -319,6 +321,7 @@ namespace squeal::tribology
           require_finite_numbers(features, name, feature_file);
           pad.features[name] = map_of_feature(name);
         }
+      pad.doubled_rows = rows_that_disagree(features, rows.rows, names);
       if (pad.features.empty() || pad.indices.empty())
         throw InputError("'" +
                          (pad.features.empty() ? feature_file : damage_file) +

@@ -142,6 +142,44 @@ namespace squeal::tribology
 
 
   std::vector<std::string>
+  warnings_of_doubled_rows(const std::vector<PadMaps>  &pads,
+                           const CorrelationParameters &p)
+  {
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < pads.size(); ++i)
+      if (!pads[i].doubled_rows.empty())
+        warnings.push_back("pad " + std::to_string(i + 1) + ": in '" +
+                           p.feature_tables[i] + "' " + pads[i].doubled_rows +
+                           ", stand at the place of an earlier one with other "
+                           "values: their mean counts");
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
+  warnings_of_long_pads(const std::vector<PadMaps>  &pads,
+                        const CorrelationParameters &p)
+  {
+    constexpr double         longest_face = 2.; // m, as of histories
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < pads.size(); ++i)
+      {
+        const Patch &face = pads[i].grid->face();
+        const double length =
+          std::max(face.x_max - face.x_min, face.y_max - face.y_min);
+        if (length > longest_face)
+          warnings.push_back(
+            "pad " + std::to_string(i + 1) + ": the face of '" +
+            p.damage_tables[i] + "' is " + rounded_text(length, 3) +
+            " m long: if its places are in mm, give them in m");
+      }
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
   warnings_of_lacking_covariates(const std::vector<PadMaps> &pads)
   {
     std::vector<std::string> warnings;

@@ -9,9 +9,10 @@
 namespace squeal::tribology
 {
   /** @p grey over its shading, minus 1, so that the bulk of the surface (its
-   * most frequent brightness) is 0. The shading is a polynomial of second
-   * degree whose slopes are fitted robustly to those of the logarithm: areas
-   * of other brightness disturb at their edges only. Both are those of what is
+   * most frequent brightness, see levels_of()) is 0. The shading is a
+   * polynomial of second degree whose slopes are fitted robustly to those of
+   * the logarithm: areas of other brightness disturb at their edges only. Both
+   * are those of what is
    * @p seen; of strips too narrow to tell a shading there is none. */
   cv::Mat flatten_illumination(const cv::Mat    &grey,
                                const SeenPixels &seen = {});
@@ -25,6 +26,11 @@ namespace squeal::tribology
     cv::Mat unsettled;   /**< CV_8U, dark areas for which nothing but their
                             brightness speaks; empty where people drew the
                             areas */
+    /** Where the brightness has two levels with a rim between them and the
+     * darker is the more frequent: its share of what is seen, else 0. */
+    double darker_share   = 0.;
+    bool   bulk_is_darker = false; /**< and has the larger part: whether it is
+                                      the surface or came off is open */
     double exfoliation_error = 0.; /**< deviation of the area, pixels */
     double plateau_error     = 0.; /**< the same; plateaus have no rims, so
                                       that it is no less than their area */
@@ -38,11 +44,11 @@ namespace squeal::tribology
   };
 
   /**
-   * Areas darker than the bulk that have a rim are exfoliations, see
-   * take_without_rim(), areas that are brighter and no rougher than the bulk
-   * are plateaus. Both thresholds are absolute
-   * contrasts and at least three deviations of the smoothed bulk. Thin dark
-   * lines (@p cracks, CV_8U) are taken out before. No area lies where nothing
+   * Areas darker than the bulk (see levels_of()) that have a rim are
+   * exfoliations, see take_without_rim(), areas that are brighter and no
+   * rougher than the bulk are plateaus. Both thresholds are absolute contrasts
+   * and at least three deviations of the smoothed bulk. Thin dark lines (@p
+   * cracks, CV_8U) are taken out before. No area lies where nothing
    * is @p seen.
    */
   AreaMap find_areas(const cv::Mat      &grey,

@@ -12,14 +12,16 @@ namespace squeal::tribology
     PixelPath pixels;
     double    probability = 0.; /**< of being a crack all the same */
     Exclusion reason      = Exclusion::faint;
+    double    width       = 0.; /**< pixels, of a band; else 0 */
   };
 
   /** What a finder expects to be wrong in its own result, pixels of length. */
   struct FinderDoubt
   {
     double missed = 0., invented = 0.;
-    double unsettled = 0.; /**< deviation from 0, where no crack is found: each
-                              line that may be one has even odds */
+    double unsettled = 0.; /**< deviation from 0 of what may be cracks with
+                              even odds: lines where no crack is found, and
+                              dark bands */
     double ends = 0.;     /**< deviation by where in a filled outline lines that
                              people drew end */
     bool is_drawn = true; /**< by people: nothing is too short for them */

@@ -14,7 +14,8 @@ namespace squeal::tribology
     faint,  /**< little contrast over noise, or broken */
     alone,  /**< nothing around it goes on */
     small,  /**< too little in all with what it is connected to */
-    rim     /**< runs along an area that is a feature itself */
+    rim,    /**< runs along an area that is a feature itself */
+    wide    /**< a dark band, wider than the lines that are looked for */
   };
 
   /** The words for it. */

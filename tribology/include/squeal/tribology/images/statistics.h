@@ -33,7 +33,11 @@ namespace squeal::tribology
      * brightness speaks for them. */
     double exfoliation_fraction_error = 0., plateau_fraction_error = 0.;
     /** Dark places without a rim: shading, stains or exfoliations. */
-    double              unsettled_fraction = 0.;
+    double unsettled_fraction = 0.;
+    /** Share of the darker of two levels of brightness; 0: they are not two.
+     * See AreaMap. */
+    double              darker_level_fraction = 0.;
+    bool                bulk_is_darker        = false;
     std::vector<double> exfoliation_areas; /**< um^2, largest first */
     double              plateau_fraction = 0.;
     std::vector<double> plateau_areas; /**< um^2, largest first */

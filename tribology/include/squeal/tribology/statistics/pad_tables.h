@@ -38,10 +38,14 @@ namespace squeal::tribology
     bool is_synthetic = false;
     /** Columns of the features that hold no numbers and are left out. */
     std::vector<std::string> texts;
+    /** Rows of features at one place with other values, in words; empty where
+     * there are none. */
+    std::string doubled_rows;
   };
 
   /**
-   * Reads a damage table and a table of features for each pad. Rows of features
+   * Reads a damage table and a table of features for each pad, see
+   * read_whole_csv(). Rows of features
    * are shared among the nodal cells by area, see share_rows(); several rows in
    * a cell count with the area of it that each of them has seen, widths and
    * directions of cracks with the length of the cracks there. Of a table
@@ -49,7 +53,8 @@ namespace squeal::tribology
    * The damage table must cover a rectangular grid. Columns that are covariates
    * are shared causes, and neither indices nor features. The leading edge is
    * that of each table, see sliding_of_pad(). Throws InputError for a missing
-   * column, for a feature or covariate that is no finite number, see
+   * column, for a table without rows, for a density of cracks below 0, for a
+   * feature or covariate that is no finite number, see
    * columns_of_texts(), for a place that lies in no cell, for a coverage that
    * is no part of a cell and for 'crack_along_sliding' against another
    * direction than that of the damage table, see require_same_sliding().
@@ -93,6 +98,17 @@ namespace squeal::tribology
 
   /** Pads whose table of features has columns without numbers. */
   std::vector<std::string> warnings_of_texts(
+    const std::vector<PadMaps>  &pads,
+    const CorrelationParameters &parameters);
+
+  /** Pads whose table of features has rows at one place with other values. */
+  std::vector<std::string> warnings_of_doubled_rows(
+    const std::vector<PadMaps>  &pads,
+    const CorrelationParameters &parameters);
+
+  /** Pads that are longer than the faces of brakes, as one with all lengths in
+   * mm is. */
+  std::vector<std::string> warnings_of_long_pads(
     const std::vector<PadMaps>  &pads,
     const CorrelationParameters &parameters);
 
