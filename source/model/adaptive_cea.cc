@@ -4,6 +4,7 @@
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/discretization/even_faces.h>
 #include <squeal/model/adaptive_cea.h>
 #include <squeal/model/finer_modes.h>
 #include <squeal/model/growth_errors.h>
@@ -217,25 +218,6 @@ namespace squeal
                          "hold them by Scene/Supports or Scene/Springs");
       log.warning(free);
     }
-
-    /** Faces on which hanging nodes are not allowed. */
-    std::vector<unsigned int>
-    source_faces_of(const Discretization &d)
-    {
-      const auto               &scene = d.scene();
-      std::vector<unsigned int> faces;
-      for (const auto &contact : scene.contacts)
-        if (contact.formulation != ContactParameters::Formulation::springs)
-          faces.push_back(face_id(
-            d.coarse_mesh(), scene, contact.source_body, contact.source_face));
-      for (std::size_t i = 0; i < scene.ties.size(); ++i)
-        if (!d.coarse_mesh().tie_is_conforming[i])
-          faces.push_back(face_id(d.coarse_mesh(),
-                                  scene,
-                                  scene.ties[i].source_body,
-                                  scene.ties[i].source_face));
-      return faces;
-    }
   } // namespace
 
 
@@ -346,7 +328,7 @@ namespace squeal
           model.discretization()->refine(
             indicators(pairs, result.errors, excess, p),
             refined_share,
-            source_faces_of(*model.discretization()));
+            even_faces(*model.discretization()));
         }
         model.assemble(timers);
       }
