@@ -140,6 +140,14 @@ namespace
     check(viscous.code == 0 &&
             has(viscous.output, "raise 'Frequency response/Margin'"),
           "without them Margin is what helps");
+    const Outcome loose = run(response("Stiffness damping = 1e-7") +
+                              "subsection Eigenvalues\n  set Residual "
+                              "tolerance = 1e-3\nend\n");
+    check(loose.code == 0 && has(loose.output,
+                                 "lower 'Eigenvalues/Residual tolerance' "
+                                 "(0.001), and then raise 'Frequency "
+                                 "response/Margin'"),
+          "loose pairs are tightened first: " + loose.output);
   }
 
   /** 1 cm^2 under 2 MPa: 200 N, whatever the pad is said to be pressed with. */
