@@ -5,6 +5,8 @@
 #include <squeal/discretization/ring_remarks.h>
 #include <squeal/scene/coarse_mesh.h>
 
+#include <deal.II/base/geometry_info.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -104,27 +106,39 @@ namespace squeal
     }
 
     /** Height of the side of a body that is farthest from the face, within the
-     * radii of its ring. */
+     * radii of its ring: of the corners there, and where one cell goes across
+     * the ring, of the middles of its edges. */
     double
     other_side(const CoarseMesh  &mesh,
                const unsigned int body,
                const DiscRing    &ring)
     {
-      const double margin = 1e-3 * (ring.outer_radius - ring.inner_radius);
-      double       result = 0.;
+      const double margin  = 1e-3 * (ring.outer_radius - ring.inner_radius);
+      double       corners = 0., middles = 0.;
+      const auto   take = [&](const Point &x, double &farthest) {
+        const double r = ring.radius_of(x),
+                     h = (x - ring.centre) * ring.directions[2];
+        if (r > ring.inner_radius + margin && r < ring.outer_radius - margin &&
+            std::abs(h) > std::abs(farthest))
+          farthest = h;
+      };
+      using Info = dealii::GeometryInfo<3>;
       for (const auto &cell : mesh.cells)
         if (cell.material_id == body)
-          for (const unsigned int v : cell.vertices)
-            {
-              const Point &x = mesh.vertices[v];
-              const double r = ring.radius_of(x),
-                           h = (x - ring.centre) * ring.directions[2];
-              if (r > ring.inner_radius + margin &&
-                  r < ring.outer_radius - margin &&
-                  std::abs(h) > std::abs(result))
-                result = h;
-            }
-      return result;
+          {
+            const auto corner = [&](const unsigned int v) {
+              return mesh.vertices[cell.vertices[v]];
+            };
+            for (const unsigned int v : Info::vertex_indices())
+              take(corner(v), corners);
+            for (const unsigned int l : Info::line_indices())
+              take(corner(Info::line_to_cell_vertices(l, 0)) +
+                     0.5 * (corner(Info::line_to_cell_vertices(l, 1)) -
+                            corner(Info::line_to_cell_vertices(l, 0))),
+                   middles);
+          }
+      return std::abs(corners) > flatness * ring.outer_radius ? corners
+                                                              : middles;
     }
 
     /** A flat face as a ring, and how much of the ring between its radii it

@@ -185,15 +185,16 @@ namespace
               check(remarks.size() == (is_round ? 0 : 2),
                     text + "what is nearly a ring is told");
               if (n_cells == 8 && !is_round)
-                check(remarks[0].find("covers 90 % of a flat ring") !=
+                check(remarks[0].find("covers 90.0 % of a flat ring") !=
                         std::string::npos,
                       text + remarks[0]);
               if (is_round)
                 check_below(std::abs(ring->inner_radius - .05) +
                               std::abs(ring->outer_radius - .12) +
-                              std::hypot(ring->centre[0], ring->centre[1]),
+                              std::hypot(ring->centre[0], ring->centre[1]) +
+                              std::abs(std::abs(ring->other_side) - .01),
                             1e-12,
-                            text + "of its radii and centre");
+                            text + "of its radii, centre and thickness");
             }
         }
   }
