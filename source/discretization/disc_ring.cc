@@ -131,7 +131,7 @@ namespace squeal
             };
             for (const unsigned int v : Info::vertex_indices())
               take(corner(v), corners);
-            for (const unsigned int l : Info::line_indices())
+            for (unsigned int l = 0; l < Info::lines_per_cell; ++l)
               take(corner(Info::line_to_cell_vertices(l, 0)) +
                      0.5 * (corner(Info::line_to_cell_vertices(l, 1)) -
                             corner(Info::line_to_cell_vertices(l, 0))),
