@@ -32,6 +32,8 @@ namespace squeal
     constexpr double largest_ratio = 1.;
     /** With a lower degree, and with one that is 1. */
     constexpr double least_ratio = 0.1, least_ratio_linear = 0.01;
+    /** With one that is 1 and has the pair far away. */
+    constexpr double least_ratio_far = 1. / 6.;
     /** Least relative error of a growth rate over that of its frequency. */
     constexpr double least_share = 2.;
     /** Of a frequency: a pair farther away than that on the side to which no
@@ -361,7 +363,7 @@ namespace squeal
                            errors,
                            select_pairs(pairs, missing),
                            reach_of_linear,
-                           least_ratio,
+                           least_ratio_far,
                            second,
                            timers);
     for (const int k : missing)

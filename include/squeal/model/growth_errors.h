@@ -68,7 +68,7 @@ namespace squeal
   /** By one degree less, solved by @p second, with a ratio of at least 1/10; with
    * linear elements there, whose errors are tens of times larger, 1/100. Pairs
    * that linear elements do not have within 0.15 of their frequency are sought
-   * again up to 2.5 times it, with a ratio of at least 1/10. NaN for all where
+   * again up to 2.5 times it, with a ratio of at least 1/6. NaN for all where
    * the degree is 1. */
   Eigen::VectorXcd growth_errors_by_lower_degree(const Model        &model,
                                                  const ComplexPairs &pairs,
