@@ -136,6 +136,7 @@ set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/eigenvalue_error.cc
     source/discretization/eigenvalue_error_cell.cc
     source/discretization/element_matrices.cc
+    source/discretization/even_faces.cc
     source/discretization/face_quadrature.cc
     source/discretization/free_unknowns.cc
     source/discretization/load_vector.cc

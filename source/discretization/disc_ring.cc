@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/number_text.h>
 #include <squeal/discretization/disc_ring.h>
+#include <squeal/discretization/face_quadrature.h>
+#include <squeal/discretization/ring_remarks.h>
 #include <squeal/scene/coarse_mesh.h>
+
+#include <deal.II/base/geometry_info.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +21,8 @@ namespace squeal
 
     /** Area of a face over that of the circular ring between its radii. */
     constexpr double least_area = 0.95, largest_area = 1. + 1e-3;
+    /** The same of a face that may be meant as a ring. */
+    constexpr double nearly_a_ring = 0.8;
     /** Distance of points of a flat face from its plane, over its radius. */
     constexpr double flatness = 1e-6;
 
@@ -36,26 +43,15 @@ namespace squeal
     }
 
     /** Corners of the faces of the coarse mesh with this id. */
-    std::vector<std::array<Point, 4>>
-    quads_of(const CoarseMesh &mesh, const unsigned int id)
+    std::vector<Point>
+    corners_of(const CoarseMesh &mesh, const unsigned int id)
     {
-      std::vector<std::array<Point, 4>> quads;
+      std::vector<Point> corners;
       for (const auto &face : mesh.boundary.boundary_quads)
         if (face.boundary_id == id)
-          {
-            quads.emplace_back();
-            for (unsigned int v = 0; v < 4; ++v)
-              quads.back()[v] = mesh.vertices[face.vertices[v]];
-          }
-      return quads;
-    }
-
-    /** Twice the area of a quadrilateral along its normal; corners as deal.II
-     * orders them, to within the sign. */
-    Vector
-    twice_area(const std::array<Point, 4> &q)
-    {
-      return dealii::cross_product_3d(Vector(q[3] - q[0]), Vector(q[2] - q[1]));
+          for (const unsigned int v : face.vertices)
+            corners.push_back(mesh.vertices[v]);
+      return corners;
     }
 
     /** Unit vectors with @p axis the last one; the first two next to those of
@@ -74,8 +70,8 @@ namespace squeal
       return {{first, dealii::cross_product_3d(axis, first), axis}};
     }
 
-    /** Axis and centre of a flat face, and its area; none where it is not
-     * flat. */
+    /** Axis and centre of a flat face, and its area as its cells are curved;
+     * none where it is not flat. */
     struct Plane
     {
       Point  centre;
@@ -84,26 +80,14 @@ namespace squeal
     };
 
     std::optional<Plane>
-    plane_of(const std::vector<std::array<Point, 4>> &quads)
+    plane_of(const Discretization     &d,
+             const unsigned int        id,
+             const std::vector<Point> &corners)
     {
-      Plane  plane;
-      Vector first_moment;
-      for (const auto &q : quads)
-        {
-          Vector normal = 0.5 * twice_area(q);
-          if (plane.axis * normal < 0.)
-            normal = -normal;
-          plane.axis += normal;
-          const double area = normal.norm();
-          plane.area += area;
-          for (const Point &corner : q)
-            first_moment += 0.25 * area * corner;
-        }
-      const double size = plane.axis.norm();
-      if (!(size > 0.))
+      if (corners.empty())
         return {};
-      plane.axis /= size;
-      plane.centre = Point(first_moment / plane.area);
+      const FaceQuadrature face = face_quadrature(d, id);
+      Plane plane{face.centre(), face.normal(), face.total_area()};
       // Of the two senses the one with a positive leading component.
       for (unsigned int c = 3; c-- > 0;)
         if (std::abs(plane.axis[c]) > 1e-6)
@@ -112,9 +96,9 @@ namespace squeal
               plane.axis = -plane.axis;
             break;
           }
-      for (const auto &q : quads)
-        for (const Point &corner : q)
-          if (const Vector r = corner - plane.centre;
+      for (const auto *points : {&corners, &face.points})
+        for (const Point &point : *points)
+          if (const Vector r = point - plane.centre;
               !(std::abs(r * plane.axis) <=
                 flatness * std::max(r.norm(), std::sqrt(plane.area))))
             return {};
@@ -122,87 +106,134 @@ namespace squeal
     }
 
     /** Height of the side of a body that is farthest from the face, within the
-     * radii of its ring. */
+     * radii of its ring: of the corners there, and where one cell goes across
+     * the ring, of the middles of its edges. */
     double
     other_side(const CoarseMesh  &mesh,
                const unsigned int body,
                const DiscRing    &ring)
     {
-      const double margin = 1e-3 * (ring.outer_radius - ring.inner_radius);
-      double       result = 0.;
+      const double margin  = 1e-3 * (ring.outer_radius - ring.inner_radius);
+      double       corners = 0., middles = 0.;
+      const auto   take = [&](const Point &x, double &farthest) {
+        const double r = ring.radius_of(x),
+                     h = (x - ring.centre) * ring.directions[2];
+        if (r > ring.inner_radius + margin && r < ring.outer_radius - margin &&
+            std::abs(h) > std::abs(farthest))
+          farthest = h;
+      };
+      using Info = dealii::GeometryInfo<3>;
       for (const auto &cell : mesh.cells)
         if (cell.material_id == body)
-          for (const unsigned int v : cell.vertices)
-            {
-              const Point &x = mesh.vertices[v];
-              const double r = ring.radius_of(x),
-                           h = (x - ring.centre) * ring.directions[2];
-              if (r > ring.inner_radius + margin &&
-                  r < ring.outer_radius - margin &&
-                  std::abs(h) > std::abs(result))
-                result = h;
-            }
-      return result;
+          {
+            const auto corner = [&](const unsigned int v) {
+              return mesh.vertices[cell.vertices[v]];
+            };
+            for (const unsigned int v : Info::vertex_indices())
+              take(corner(v), corners);
+            for (unsigned int l = 0; l < Info::lines_per_cell; ++l)
+              take(corner(Info::line_to_cell_vertices(l, 0)) +
+                     0.5 * (corner(Info::line_to_cell_vertices(l, 1)) -
+                            corner(Info::line_to_cell_vertices(l, 0))),
+                   middles);
+          }
+      return std::abs(corners) > flatness * ring.outer_radius ? corners
+                                                              : middles;
     }
 
-    std::optional<DiscRing>
-    ring_on_face(const CoarseMesh  &mesh,
-                 const unsigned int body,
-                 const unsigned int id)
+    /** A flat face as a ring, and how much of the ring between its radii it
+     * covers; none where it is not flat. */
+    struct CoveredRing
     {
-      const auto quads = quads_of(mesh, id);
-      const auto plane = plane_of(quads);
+      DiscRing ring;
+      double   share = 0.;
+
+      bool
+      is_whole() const
+      {
+        return share >= least_area && share <= largest_area;
+      }
+    };
+
+    std::optional<CoveredRing>
+    covered_ring(const Discretization &d,
+                 const unsigned int    body,
+                 const unsigned int    id)
+    {
+      const std::vector<Point> corners = corners_of(d.coarse_mesh(), id);
+      const auto               plane   = plane_of(d, id, corners);
       if (!plane)
         return {};
       DiscRing ring;
       ring.centre     = plane->centre;
       ring.directions = directions_about(plane->axis);
       double least = std::numeric_limits<double>::infinity(), largest = 0.;
-      for (const auto &q : quads)
-        for (const Point &corner : q)
-          {
-            least   = std::min(least, ring.radius_of(corner));
-            largest = std::max(largest, ring.radius_of(corner));
-          }
-      const double whole = M_PI * (largest * largest - least * least);
-      if (!(plane->area >= least_area * whole &&
-            plane->area <= largest_area * whole))
-        return {};
+      for (const Point &corner : corners)
+        {
+          least   = std::min(least, ring.radius_of(corner));
+          largest = std::max(largest, ring.radius_of(corner));
+        }
       ring.inner_radius = least;
       ring.outer_radius = largest;
-      ring.other_side   = other_side(mesh, body, ring);
-      return ring;
+      ring.other_side   = other_side(d.coarse_mesh(), body, ring);
+      return CoveredRing{
+        ring, plane->area / (M_PI * (largest * largest - least * least))};
+    }
+
+    std::optional<DiscRing>
+    ring_on_face(const Discretization &d,
+                 const unsigned int    body,
+                 const unsigned int    id)
+    {
+      const auto covered = covered_ring(d, body, id);
+      return covered && covered->is_whole() ? covered->ring
+                                            : std::optional<DiscRing>();
+    }
+
+    /** Faces of an imported body that may be the ring of a disc: those that
+     * pads slide on, without a contact any that has a name. */
+    std::vector<unsigned int>
+    faces_for_rings(const SceneParameters &scene,
+                    const CoarseMesh      &mesh,
+                    const unsigned int     body)
+    {
+      std::vector<unsigned int> faces;
+      for (const auto &contact : scene.contacts)
+        if (contact.target_body == scene.bodies[body].name)
+          faces.push_back(
+            face_id(mesh, scene, contact.target_body, contact.target_face));
+      if (scene.contacts.empty())
+        for (unsigned int f = 0; f < mesh.face_names[body].size(); ++f)
+          faces.push_back(face_id(body, f));
+      return faces;
     }
 
     /** Where pads slide on a body; of two sides the upper one, in whichever
      * order the pairs are. */
     std::optional<DiscRing>
-    ring_of_target(const SceneParameters &scene,
-                   const CoarseMesh      &mesh,
-                   const unsigned int     body)
+    ring_of_target(const Discretization            &d,
+                   const unsigned int               body,
+                   const std::vector<unsigned int> &faces)
     {
       std::optional<DiscRing> result;
-      for (const auto &contact : scene.contacts)
-        if (contact.target_body == scene.bodies[body].name)
-          {
-            const auto ring = ring_on_face(
-              mesh,
-              body,
-              face_id(mesh, scene, contact.target_body, contact.target_face));
-            if (ring && (!result || ring->other_side < ring->face))
-              result = ring;
-          }
+      for (const unsigned int id : faces)
+        {
+          const auto ring = ring_on_face(d, body, id);
+          if (ring && (!result || ring->other_side < ring->face))
+            result = ring;
+        }
       return result;
     }
 
-    /** Of all faces with names the ring that reaches out farthest; of two such
-     * the upper one. */
+    /** The ring that reaches out farthest; of two such the upper one. */
     std::optional<DiscRing>
-    widest_ring(const CoarseMesh &mesh, const unsigned int body)
+    widest_ring(const Discretization            &d,
+                const unsigned int               body,
+                const std::vector<unsigned int> &faces)
     {
       std::optional<DiscRing> result;
-      for (unsigned int f = 0; f < mesh.face_names[body].size(); ++f)
-        if (const auto ring = ring_on_face(mesh, body, face_id(body, f)))
+      for (const unsigned int id : faces)
+        if (const auto ring = ring_on_face(d, body, id))
           {
             const double wider =
               result ? ring->outer_radius / result->outer_radius - 1. : 1.;
@@ -271,15 +302,41 @@ namespace squeal
   disc_rings(const Discretization &discretization)
   {
     const SceneParameters               &scene = discretization.scene();
-    const CoarseMesh                    &mesh  = discretization.coarse_mesh();
     std::vector<std::optional<DiscRing>> rings(scene.bodies.size());
     for (unsigned int b = 0; b < rings.size(); ++b)
       if (scene.bodies[b].shape == BodyParameters::Shape::annulus)
         rings[b] = ring_of_annulus(scene, b);
       else if (scene.bodies[b].has_mesh_file())
-        rings[b] = scene.contacts.empty() ? widest_ring(mesh, b)
-                                          : ring_of_target(scene, mesh, b);
+        {
+          const auto faces =
+            faces_for_rings(scene, discretization.coarse_mesh(), b);
+          rings[b] = scene.contacts.empty()
+                       ? widest_ring(discretization, b, faces)
+                       : ring_of_target(discretization, b, faces);
+        }
     return rings;
+  }
+
+  std::vector<std::string>
+  remarks_on_rings(const Discretization &discretization)
+  {
+    const SceneParameters   &scene = discretization.scene();
+    const CoarseMesh        &mesh  = discretization.coarse_mesh();
+    const auto               rings = disc_rings(discretization);
+    std::vector<std::string> remarks;
+    for (unsigned int b = 0; b < rings.size(); ++b)
+      if (scene.bodies[b].has_mesh_file() && !rings[b])
+        for (const unsigned int id : faces_for_rings(scene, mesh, b))
+          if (const auto covered = covered_ring(discretization, b, id);
+              covered && covered->share >= nearly_a_ring &&
+              covered->share < least_area)
+            remarks.push_back(
+              "body '" + scene.bodies[b].name + "': its face '" +
+              mesh.face_names[b][id - face_id(b, 0)] + "' covers " +
+              rounded_text(100. * covered->share, 3) +
+              " % of a flat ring, too little for a disc: its modes have no "
+              "nodal diameters in their names");
+    return remarks;
   }
 
   unsigned int

@@ -174,32 +174,47 @@ namespace squeal
   void
   Discretization::make_even(const std::vector<unsigned int> &faces)
   {
-    const auto is_at = [](const auto &cell, const unsigned int id) {
+    const auto faces_at = [](const auto &cell, const unsigned int id) {
+      std::vector<unsigned int> result;
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == id)
-          return true;
-      return false;
+          result.push_back(f);
+      return result;
     };
     for (bool changed = true; changed;)
       {
         changed = false;
         for (const unsigned int id : faces)
           {
-            std::array<int, 2> levels{{0, -1000}}; // largest, -smallest
+            int               finest = 0;
+            std::vector<bool> is_there(mesh->n_vertices(), false);
             for (const auto &cell : mesh->active_cell_iterators())
-              if (cell->is_locally_owned() && is_at(cell, id))
-                levels = {{std::max(levels[0], cell->level()),
-                           std::max(levels[1], -cell->level())}};
-            MPI_Allreduce(
-              MPI_IN_PLACE, levels.data(), 2, MPI_INT, MPI_MAX, comm);
-            if (levels[0] <= -levels[1])
-              continue;
-            changed = true;
+              if (!cell->is_artificial())
+                for (const unsigned int f : faces_at(cell, id))
+                  {
+                    finest = std::max(finest, cell->level());
+                    for (const unsigned int v : cell->face(f)->vertex_indices())
+                      is_there[cell->face(f)->vertex_index(v)] = true;
+                  }
+            MPI_Allreduce(MPI_IN_PLACE, &finest, 1, MPI_INT, MPI_MAX, comm);
+            // Cells beside the face share an edge of it, two of its corners:
+            // coarser ones would make the nodes of its border hang.
             for (const auto &cell : mesh->active_cell_iterators())
-              if (cell->is_locally_owned() && cell->level() < levels[0] &&
-                  is_at(cell, id))
-                cell->set_refine_flag();
+              if (cell->is_locally_owned() && cell->level() < finest)
+                {
+                  unsigned int n_there = 0;
+                  for (const unsigned int v : cell->vertex_indices())
+                    n_there += is_there[cell->vertex_index(v)];
+                  if (n_there >= 2)
+                    {
+                      cell->set_refine_flag();
+                      changed = true;
+                    }
+                }
           }
+        int any = changed;
+        MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, comm);
+        changed = any != 0;
         if (changed)
           mesh->execute_coarsening_and_refinement();
       }

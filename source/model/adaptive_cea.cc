@@ -4,10 +4,12 @@
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/discretization/even_faces.h>
 #include <squeal/model/adaptive_cea.h>
 #include <squeal/model/finer_modes.h>
 #include <squeal/model/growth_errors.h>
 #include <squeal/model/second_solutions.h>
+#include <squeal/scene/modulus_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,11 +71,20 @@ namespace squeal
       return result;
     }
 
+    /** Whether growing pairs are sought in a second solution. */
+    bool
+    has_second_solution(const Model &model)
+    {
+      return model.discretization()->degree() > 1 &&
+             !ModulusTables(model.parameters().scene).depend_on_frequency();
+    }
+
     /** Puts better errors of growing pairs in the place of those of the cells,
      * where they are known, and says where those of the cells stay: they know
      * little. */
     void
     take_growth_errors(const Eigen::VectorXcd &better,
+                       const Model            &model,
                        const ComplexPairs     &pairs,
                        PairErrors             &errors,
                        RunLog                 &log)
@@ -81,19 +92,30 @@ namespace squeal
       unsigned int n_growing = 0, n_by_cells = 0;
       for (Eigen::Index k = 0; k < better.size(); ++k)
         {
-          n_growing += pairs.sigma(k) > 0.;
+          const bool            grows = pairs.sigma(k) > 0.;
+          std::complex<double> &error = errors.lambda[k];
+          n_growing += grows;
           if (!std::isnan(better[k].real()))
-            errors.lambda[k] = better[k];
-          else
-            n_by_cells +=
-              pairs.sigma(k) > 0. && !std::isnan(errors.lambda[k].real());
+            error = better[k];
+          else if (grows && !std::isnan(error.real()))
+            {
+              ++n_by_cells;
+              error.real(at_least_by_frequency(
+                error.real(), error.imag(), pairs.lambda[k]));
+            }
         }
-      if (n_by_cells > 0)
-        log.info("  mesh errors of growth rates: of " +
-                 std::to_string(n_by_cells) + " of " +
-                 std::to_string(n_growing) +
-                 " growing pairs estimated cell by cell, to first order: not "
-                 "found again in a second solution");
+      if (n_by_cells == 0)
+        return;
+      const std::string text =
+        "mesh errors of growth rates: of " + std::to_string(n_by_cells) +
+        " of " + std::to_string(n_growing) +
+        " growing pairs estimated cell by cell, to first order";
+      if (has_second_solution(model))
+        log.warning(text +
+                    ", which may be several times too small: not found again "
+                    "in a second solution; raise Discretization/Degree");
+      else
+        log.info("  " + text + ": there is no second solution");
     }
 
     /** Least share of what the mesh before has changed that is left. */
@@ -135,6 +157,7 @@ namespace squeal
       if (nearly_incompressible_bodies(model.parameters().scene).empty())
         take_growth_errors(
           errors_of_growth(model, pairs, errors, before, second, timers),
+          model,
           pairs,
           errors,
           log);
@@ -216,25 +239,6 @@ namespace squeal
                          ": raise Eigenvalues/Lowest frequency above 0, or "
                          "hold them by Scene/Supports or Scene/Springs");
       log.warning(free);
-    }
-
-    /** Faces on which hanging nodes are not allowed. */
-    std::vector<unsigned int>
-    source_faces_of(const Discretization &d)
-    {
-      const auto               &scene = d.scene();
-      std::vector<unsigned int> faces;
-      for (const auto &contact : scene.contacts)
-        if (contact.formulation != ContactParameters::Formulation::springs)
-          faces.push_back(face_id(
-            d.coarse_mesh(), scene, contact.source_body, contact.source_face));
-      for (std::size_t i = 0; i < scene.ties.size(); ++i)
-        if (!d.coarse_mesh().tie_is_conforming[i])
-          faces.push_back(face_id(d.coarse_mesh(),
-                                  scene,
-                                  scene.ties[i].source_body,
-                                  scene.ties[i].source_face));
-      return faces;
     }
   } // namespace
 
@@ -346,7 +350,7 @@ namespace squeal
           model.discretization()->refine(
             indicators(pairs, result.errors, excess, p),
             refined_share,
-            source_faces_of(*model.discretization()));
+            even_faces(*model.discretization()));
         }
         model.assemble(timers);
       }

@@ -21,6 +21,9 @@ namespace squeal
      * again; where the second solution is the finer one its frequencies are
      * lower. */
     constexpr double reach = 0.15, reach_to_finer = 0.3;
+    /** The same above the highest one for linear elements: what bends on few of
+     * them has more than twice its frequency. */
+    constexpr double reach_of_linear = 1.5;
     /** Least squared cosine of the shapes of a pair found again. Two modes
      * that lock in share half of each of theirs. */
     constexpr double least_likeness = 0.3;
@@ -29,6 +32,8 @@ namespace squeal
     constexpr double largest_ratio = 1.;
     /** With a lower degree, and with one that is 1. */
     constexpr double least_ratio = 0.1, least_ratio_linear = 0.01;
+    /** With one that is 1 and has the pair far away. */
+    constexpr double least_ratio_far = 1. / 6.;
     /** Least relative error of a growth rate over that of its frequency. */
     constexpr double least_share = 2.;
     /** Of a frequency: a pair farther away than that on the side to which no
@@ -102,18 +107,6 @@ namespace squeal
             (best < 0 || coarse[i].real() > coarse[best].real()))
           best = i;
       return best;
-    }
-
-    /** The error @p growth of a growth rate, no smaller than its share of that
-     * of the frequency, @p frequency in rad/s. */
-    double
-    at_least_by_frequency(const double  growth,
-                          const double  frequency,
-                          const Complex lambda)
-    {
-      const double floor =
-        least_share * lambda.real() * std::abs(frequency) / std::abs(lambda);
-      return std::copysign(std::max(std::abs(growth), floor), growth);
     }
 
     /** What the coarser one of two eigenvalues tells of the error of the finer
@@ -208,6 +201,41 @@ namespace squeal
       return result;
     }
 
+    /** Of all @p pairs against one degree less, where those of @p sought are
+     * looked for up to the share @p above beyond them; NaN of those not found
+     * again. */
+    Eigen::VectorXcd
+    against_lower_degree(const Model        &model,
+                         const ComplexPairs &pairs,
+                         const PairErrors   &errors,
+                         const ComplexPairs &sought,
+                         const double        above,
+                         const double        least,
+                         SecondSolutions    &second,
+                         Timers             &timers)
+    {
+      const unsigned int        degree = model.discretization()->degree() - 1;
+      SecondSolutions::Solution lower;
+      try
+        {
+          lower = second.solve(model, degree, sought, reach, above, timers);
+        }
+      catch (const ComputationError &)
+        {
+          return all_unknown(pairs);
+        }
+      if (lower.pairs.size() == 0)
+        return all_unknown(pairs);
+      return growth_errors(model,
+                           pairs,
+                           errors,
+                           {lower.pairs.lambda,
+                            shapes_at_corners(*lower.scene->space,
+                                              lower.scene->system,
+                                              lower.pairs.right)},
+                           least);
+    }
+
     bool
     cells_lock(const Model &model)
     {
@@ -228,7 +256,8 @@ namespace squeal
       SecondSolutions::Solution fine;
       try
         {
-          fine = second.solve(model, degree + 1, pairs, reach_to_finer, timers);
+          fine = second.solve(
+            model, degree + 1, pairs, reach_to_finer, reach, timers);
         }
       catch (const ComputationError &)
         {
@@ -245,6 +274,18 @@ namespace squeal
       return against_finer(pairs, finer, likeness, 0.5 * (degree + 1.));
     }
   } // namespace
+
+
+
+  double
+  at_least_by_frequency(const double               growth,
+                        const double               frequency,
+                        const std::complex<double> lambda)
+  {
+    const double floor =
+      least_share * lambda.real() * std::abs(frequency) / std::abs(lambda);
+    return std::copysign(std::max(std::abs(growth), floor), growth);
+  }
 
 
 
@@ -297,30 +338,37 @@ namespace squeal
   {
     if (cells_lock(model))
       return those_that_grow(pairs, errors);
-    const Eigen::VectorXcd unknown = all_unknown(pairs);
     if (!has_errors(model, pairs) || model.discretization()->degree() < 2)
-      return unknown;
-    const unsigned int degree = model.discretization()->degree() - 1;
-    Timers::Section    section(timers, "Solve: pairs of the lower degree");
-    SecondSolutions::Solution lower;
-    try
-      {
-        lower = second.solve(model, degree, growing(pairs), reach, timers);
-      }
-    catch (const ComputationError &)
-      {
-        return unknown; // the estimate of the cells stands
-      }
-    if (lower.pairs.size() == 0)
-      return unknown;
-    return growth_errors(model,
-                         pairs,
-                         errors,
-                         {lower.pairs.lambda,
-                          shapes_at_corners(*lower.scene->space,
-                                            lower.scene->system,
-                                            lower.pairs.right)},
-                         degree > 1 ? least_ratio : least_ratio_linear);
+      return all_unknown(pairs);
+    const bool       is_linear = model.discretization()->degree() == 2;
+    Timers::Section  section(timers, "Solve: pairs of the lower degree");
+    Eigen::VectorXcd result =
+      against_lower_degree(model,
+                           pairs,
+                           errors,
+                           growing(pairs),
+                           reach,
+                           is_linear ? least_ratio_linear : least_ratio,
+                           second,
+                           timers);
+    std::vector<int> missing;
+    for (unsigned int k = 0; k < pairs.size(); ++k)
+      if (pairs.sigma(k) > 0. && std::isnan(result[k].real()))
+        missing.push_back(k);
+    if (!is_linear || missing.empty())
+      return result;
+    const Eigen::VectorXcd far =
+      against_lower_degree(model,
+                           pairs,
+                           errors,
+                           select_pairs(pairs, missing),
+                           reach_of_linear,
+                           least_ratio_far,
+                           second,
+                           timers);
+    for (const int k : missing)
+      result[k] = far[k];
+    return result;
   }
 
 

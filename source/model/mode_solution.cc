@@ -5,6 +5,7 @@
 #include <squeal/base/timers.h>
 #include <squeal/base/worst_of.h>
 #include <squeal/discretization/eigenvalue_error.h>
+#include <squeal/discretization/even_faces.h>
 #include <squeal/eigen/dense_quadratic.h>
 #include <squeal/eigen/free_motion.h>
 #include <squeal/model/finer_modes.h>
@@ -22,6 +23,9 @@ namespace squeal
 {
   namespace
   {
+    /** Squared contributions that the refined cells of a step hold. */
+    constexpr double refined_share_of_modes = 0.7;
+
     constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
     double
@@ -213,7 +217,9 @@ namespace squeal
           }
         {
           Timers::Section section(timers, "Setup: refinement");
-          model.discretization()->refine(errors.cell, 0.7);
+          model.discretization()->refine(errors.cell,
+                                         refined_share_of_modes,
+                                         even_faces(*model.discretization()));
         }
         model.assemble(timers);
       }

@@ -5,6 +5,7 @@
 #include <squeal/contact/friction_law.h>
 #include <squeal/contact/mortar.h>
 #include <squeal/discretization/face_quadrature.h>
+#include <squeal/discretization/ring_remarks.h>
 #include <squeal/model/common_parts.h>
 #include <squeal/model/imported_system.h>
 #include <squeal/model/model.h>
@@ -383,6 +384,8 @@ namespace squeal
       log.warning(remark);
     for (const auto &remark : remarks_on_ties(*space))
       log.warning(remark);
+    for (const auto &remark : remarks_on_rings(*space))
+      log.info("  " + remark);
     for (const auto &remark : remarks_on_points(*this))
       log.warning(remark);
     for (const ContactParameters &c : scene.contacts)

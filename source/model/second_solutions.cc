@@ -11,12 +11,13 @@ namespace squeal
 {
   namespace
   {
-    /** Of the band beyond the pairs, in which they are sought again. */
-    constexpr double reach = 0.15;
+    /** Of the band, up to which there are modes for other directions. */
+    constexpr double reach_of_band = 0.15;
 
     CertifiedOptions
     options_about(const ComplexPairs    &pairs,
                   const double           below,
+                  const double           above,
                   const EigenParameters &p)
     {
       double lowest = std::numeric_limits<double>::infinity(), highest = 0.;
@@ -27,7 +28,7 @@ namespace squeal
         }
       CertifiedOptions options;
       options.lowest_frequency    = (1. - below) * lowest;
-      options.highest_frequency   = (1. + reach) * highest;
+      options.highest_frequency   = (1. + above) * highest;
       options.residual_tolerance  = std::max(1e-6, p.residual_tolerance);
       options.error_tolerance     = std::max(1e-6, p.error_tolerance);
       options.maximum_enrichments = p.maximum_enrichments;
@@ -102,6 +103,7 @@ namespace squeal
                          const unsigned int  degree,
                          const ComplexPairs &pairs,
                          const double        below,
+                         const double        above,
                          Timers             &timers)
   {
     const Parameters &p = model.parameters();
@@ -109,7 +111,8 @@ namespace squeal
     const SharedByScenes shared{parts.get(), pressed.get(), bodies_of_scene};
     const auto           scene = std::make_shared<const OtherDegree>(
       with_degree(model, degree, timers, shares ? &shared : nullptr));
-    const CertifiedOptions options = options_about(pairs, below, p.eigen);
+    const CertifiedOptions options =
+      options_about(pairs, below, above, p.eigen);
     if (shares && last && last->solver &&
         options.highest_frequency <= last->highest_frequency)
       if (const auto pencil = pencil_on_last(*scene, p.scene))
@@ -121,7 +124,7 @@ namespace squeal
     // Modes for the other directions, which may grow at higher frequencies.
     const double highest =
       shares ? std::max(options.highest_frequency,
-                        (1. + reach) * p.eigen.highest_frequency)
+                        (1. + reach_of_band) * p.eigen.highest_frequency)
              : options.highest_frequency;
     auto solved = std::make_unique<const Solved>(
       scene, highest, options, p.eigen.mode_tolerance);

@@ -130,6 +130,15 @@ namespace squeal
 
 
 
+  /** Numbers of points and elements begin anew in each superelement. */
+  void
+  NastranReader::refuse_parts(const unsigned int line) const
+  {
+    text.fail_at(line,
+                 "parts of a model (BEGIN SUPER) are not put together: write "
+                 "one BEGIN BULK without superelements");
+  }
+
   /** What precedes the bulk data controls an analysis; parameters may stand
    * there, too. */
   void
@@ -140,6 +149,9 @@ namespace squeal
           import::upper_case(words[0]) == "BEGIN" &&
           import::upper_case(words[1]).compare(0, 4, "BULK") == 0)
         {
+          // A part of its own: BEGIN BULK SUPER = 1.
+          if (!words[2].empty() && words[2][0] != '$')
+            refuse_parts(text.line_number());
           has_bulk_begin = true;
           take_case_control(text.line_number());
           return;
@@ -234,6 +246,8 @@ namespace squeal
             what.compare(0, 4, "ELEM") == 0)
           read_set(entry, 2);
       }
+    else if (name.compare(0, 5, "BEGIN") == 0)
+      refuse_parts(entry.line);
     else if (name.compare(0, 7, "INCLUDE") == 0)
       text.fail_at(entry.line,
                    "INCLUDE is not followed: put the files together");

@@ -50,19 +50,20 @@ namespace squeal
       unsigned int line;
     };
 
-    void go_to_bulk_data();
-    void take_case_control(const unsigned int n_lines);
-    void take(const import::BulkEntry &entry);
-    void read_point(const import::BulkEntry &entry);
-    void read_cell(const import::BulkEntry &entry);
-    void read_load(const import::BulkEntry &entry);
-    void read_property(const import::BulkEntry &entry);
-    void read_material(const import::BulkEntry &entry);
-    void add_material(const import::BulkEntry  &entry,
-                      const MeshFile::Material &material);
-    void note_constraints(const import::BulkEntry &entry);
-    void read_parameter(const import::BulkEntry &entry);
-    void finish_materials();
+    void              go_to_bulk_data();
+    void              take_case_control(const unsigned int n_lines);
+    [[noreturn]] void refuse_parts(const unsigned int line) const;
+    void              take(const import::BulkEntry &entry);
+    void              read_point(const import::BulkEntry &entry);
+    void              read_cell(const import::BulkEntry &entry);
+    void              read_load(const import::BulkEntry &entry);
+    void              read_property(const import::BulkEntry &entry);
+    void              read_material(const import::BulkEntry &entry);
+    void              add_material(const import::BulkEntry  &entry,
+                                   const MeshFile::Material &material);
+    void              note_constraints(const import::BulkEntry &entry);
+    void              read_parameter(const import::BulkEntry &entry);
+    void              finish_materials();
     void read_set(const import::BulkEntry &entry, const std::size_t first);
     void finish();
     void number_points();

@@ -140,6 +140,14 @@ namespace
     check(viscous.code == 0 &&
             has(viscous.output, "raise 'Frequency response/Margin'"),
           "without them Margin is what helps");
+    std::filesystem::remove_all("out");
+    const Outcome loose = run_program(
+      {program, "--set", "Eigenvalues/Residual tolerance = 1e-3", "run.prm"});
+    check(loose.code == 0 && has(loose.output,
+                                 "lower 'Eigenvalues/Residual tolerance' "
+                                 "(0.0010), and then raise 'Frequency "
+                                 "response/Margin'"),
+          "loose pairs are tightened first: " + loose.errors);
   }
 
   /** 1 cm^2 under 2 MPa: 200 N, whatever the pad is said to be pressed with. */

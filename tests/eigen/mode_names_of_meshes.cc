@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Names of a brake whose bodies come from mesh files: its disc has nodal
-// circles and diameters as an annulus has, wherever the brake lies; what is
-// no flat ring is no disc.
+// circles and diameters as an annulus has, wherever the brake lies and however
+// few curved cells it has; what is no flat ring is no disc.
 
 #include <squeal/discretization/assembly.h>
+#include <squeal/discretization/ring_remarks.h>
 #include <squeal/eigen/mode_naming.h>
 
 #include <deal.II/base/mpi.h>
@@ -149,6 +150,54 @@ namespace
     SceneParameters plate = scene_of({});
     check(!ring_of(plate), "a plate is no disc");
   }
+
+  /** Curved cells are a ring however few there are; straight ones cut off a
+   * part, and a run says what that means. */
+  void
+  rings_of_few_cells()
+  {
+    const auto of = [](const unsigned int n_cells, const unsigned int n_nodes) {
+      SceneParameters s;
+      s.bodies             = {make_annulus({{n_cells, 1, 1}})};
+      BodyParameters &disc = s.bodies[0];
+      AnnulusFile(disc, n_nodes).write_2("few.msh");
+      disc.shape     = BodyParameters::Shape::gmsh;
+      disc.mesh_file = "few.msh";
+      disc.position  = {{0., 0., 0.}};
+      return s;
+    };
+    for (const unsigned int n_cells : {6, 8, 11, 16})
+      for (const unsigned int n_nodes : {8, 20, 27})
+        {
+          const SceneParameters    scene = of(n_cells, n_nodes);
+          DiscretizationParameters p;
+          const std::string text = std::to_string(n_cells) + " cells of " +
+                                   std::to_string(n_nodes) + " nodes: ";
+          for (const unsigned int n_refinements : {0, 1})
+            {
+              p.refinements = n_refinements;
+              const Discretization d(scene, p, 2, MPI_COMM_SELF);
+              const auto           ring     = disc_rings(d)[0];
+              const auto           remarks  = remarks_on_rings(d);
+              const bool           is_round = n_nodes > 8 || n_cells >= 12;
+              check(ring.has_value() == is_round, text + "a ring or none");
+              // Both sides of a disc of straight cells are nearly rings.
+              check(remarks.size() == (is_round ? 0 : 2),
+                    text + "what is nearly a ring is told");
+              if (n_cells == 8 && !is_round)
+                check(remarks[0].find("covers 90.0 % of a flat ring") !=
+                        std::string::npos,
+                      text + remarks[0]);
+              if (is_round)
+                check_below(std::abs(ring->inner_radius - .05) +
+                              std::abs(ring->outer_radius - .12) +
+                              std::hypot(ring->centre[0], ring->centre[1]) +
+                              std::abs(std::abs(ring->other_side) - .01),
+                            1e-12,
+                            text + "of its radii, centre and thickness");
+            }
+        }
+  }
 } // namespace
 
 int
@@ -157,4 +206,5 @@ main(int argc, char *argv[])
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   as_an_annulus();
   rings();
+  rings_of_few_cells();
 }

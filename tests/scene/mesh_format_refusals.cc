@@ -235,6 +235,10 @@ ENDDATA
     spoilt("BEGIN BULK",
            "PARAM,WTMASS,.25\nBEGIN BULK\nPARAM,WTMASS,.5",
            "in.bdf:3: PARAM,WTMASS has another value above");
+    spoilt("ENDDATA", "BEGIN SUPER=1\nENDDATA", "BEGIN SUPER");
+    spoilt("ENDDATA", "BEGIN BULK SUPER=1\nENDDATA", "BEGIN SUPER");
+    spoilt("BEGIN BULK", "BEGIN BULK SUPER=1", "in.bdf:1: parts of a model");
+    spoilt("BEGIN BULK", "BEGIN SUPER=1", "in.bdf:1: parts of a model");
     spoilt("ENDDATA", "GRDSET,,4\nENDDATA", "GRDSET");
     spoilt("ENDDATA", "PARAM,WTMASS,0.\nENDDATA", "WTMASS must be positive");
     spoilt("ENDDATA", "MAT1,3,1.,,.3,1.\nENDDATA", "material 3 is there twice");

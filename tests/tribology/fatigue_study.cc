@@ -170,13 +170,13 @@ main(int argc, char **argv)
   check(found.at(2) != "synthetic: supported",
         "the silent pad shows no link: " + found.at(2));
   const std::string report = text_of(results + "correlation/report.html");
-  for (const std::string text : {std::string("In short"),
-                                 std::string("What was done"),
-                                 "any map that concentrates at the leading "
-                                 "edge, lowest y, would reach r = " +
-                                   rounded_text(leading_edge, 2),
-                                 std::string("data:image/png"),
-                                 std::string("made, not photographed")})
+  for (const std::string &text : {std::string("In short"),
+                                  std::string("What was done"),
+                                  "any map that concentrates at the leading "
+                                  "edge, lowest y, would reach r = " +
+                                    rounded_text(leading_edge, 2),
+                                  std::string("data:image/png"),
+                                  std::string("made, not photographed")})
     check(report.find(text) != std::string::npos, "the report has: " + text);
   check(report.find("src=\"http") == std::string::npos &&
           report.find("href=\"http") == std::string::npos,

@@ -59,9 +59,17 @@ namespace squeal
                                  const CoarserPairs &coarser,
                                  const double        least_ratio);
 
-  /** By one degree less, solved by @p second, with a ratio of at least 1/10; with linear elements
-   * there, whose errors are tens of times larger, 1/100. NaN for all where the
-   * degree is 1. */
+  /** The error @p growth of the growth rate of @p lambda, 1/s, no smaller than
+   * twice that of its frequency, @p frequency in rad/s, both relative. */
+  double at_least_by_frequency(const double               growth,
+                               const double               frequency,
+                               const std::complex<double> lambda);
+
+  /** By one degree less, solved by @p second, with a ratio of at least 1/10; with
+   * linear elements there, whose errors are tens of times larger, 1/100. Pairs
+   * that linear elements do not have within 0.15 of their frequency are sought
+   * again up to 2.5 times it, with a ratio of at least 1/6. NaN for all where
+   * the degree is 1. */
   Eigen::VectorXcd growth_errors_by_lower_degree(const Model        &model,
                                                  const ComplexPairs &pairs,
                                                  const PairErrors   &errors,

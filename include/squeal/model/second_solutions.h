@@ -36,12 +36,13 @@ namespace squeal
     };
 
     /** Those about @p pairs of @p model, from @p below of their lowest
-     * frequency under it to 0.15 of their highest beyond it. Throws
+     * frequency under it to @p above of their highest beyond it. Throws
      * ComputationError where they are not certified. */
     Solution solve(const Model        &model,
                    const unsigned int  degree,
                    const ComplexPairs &pairs,
                    const double        below,
+                   const double        above,
                    Timers             &timers);
 
   private:

@@ -131,6 +131,19 @@ namespace squeal
       return states;
     }
 
+    /** What brings superposed responses nearer to direct ones: pairs whose
+     * residues are off by their residuals are no better with more of them. */
+    std::string
+    advice(const Parameters &p)
+    {
+      constexpr double loose     = 1e-5;
+      const double     tolerance = p.eigen.residual_tolerance;
+      return (tolerance > loose ? "lower 'Eigenvalues/Residual tolerance' (" +
+                                    rounded_text(tolerance, 2) + "), and then "
+                                : "") +
+             std::string("raise 'Frequency response/Margin'");
+    }
+
     /** Warns of a response that is far smaller than others, for which their
      * differences to direct solutions say nothing. */
     void
@@ -148,8 +161,8 @@ namespace squeal
         points[grid.responses[worst.response]].name + "' to a force at '" +
         points[grid.excitations[worst.excitation]].name +
         "' differs from direct solutions by " + rounded_text(worst.error, 2) +
-        " of its own size (difference_of_own_rel in direct_check.csv): raise "
-        "'Frequency response/Margin'");
+        " of its own size (difference_of_own_rel in direct_check.csv): " +
+        advice(p));
     }
 
     void
@@ -176,7 +189,7 @@ namespace squeal
                    "pairs have no conjugates, and no 'Margin' takes away what "
                    "their partners are off by; take 'Stiffness damping', or "
                    "direct_check.csv at more 'Checks'"
-                 : "raise 'Frequency response/Margin'"));
+                 : advice(p)));
           else
             warn_of_weak_functions(context, state, grid);
         }

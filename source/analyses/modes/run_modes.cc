@@ -42,6 +42,10 @@ namespace squeal
     if (const std::string free = free_motions(model, solution); !free.empty())
       context.log.warning(free + ": hold them by Scene/Supports or Scene/"
                                  "Springs if this is not meant");
+    if (p.discretization.refinement ==
+          DiscretizationParameters::Refinement::eigenvalue_error &&
+        steps.n_rows() > 0)
+      context.write_table("meshes.csv", steps);
     context.write_table("modes.csv", table);
     context.log.heading("Modes");
     if (model.namer().n_coordinates() > 0)
