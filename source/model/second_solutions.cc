@@ -113,7 +113,7 @@ namespace squeal
       with_degree(model, degree, timers, shares ? &shared : nullptr));
     const CertifiedOptions options =
       options_about(pairs, below, above, p.eigen);
-    if (shares && last && last->solver &&
+    if (shares && last && last->pairs.size() > 0 &&
         options.highest_frequency <= last->highest_frequency)
       if (const auto pencil = pencil_on_last(*scene, p.scene))
         {
