@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Correlations, ranks, areas under curves, thresholds, probabilities and powers
-// have the values that tables and small examples give.
+// Correlations, ranks, areas under curves, thresholds, probabilities, powers
+// and shares of lines of cells have the values that tables and small examples
+// give.
 #include <squeal/tribology/statistics/association.h>
+#include <squeal/tribology/statistics/cell_lags.h>
 #include <squeal/tribology/statistics/link_test.h>
 
 #include <cmath>
@@ -63,6 +65,20 @@ namespace
     for (unsigned int i = 0; i < 4; ++i)
       check_close(adjusted[i], expected[i], 1e-12, "Holm");
   }
+
+  void
+  lines_of_cells()
+  {
+    const CellLags lags({{{0, 0}}, {{1, 0}}, {{0, 1}}, {{1, 1}}});
+    check_close(lags.largest_share_of_line(Eigen::Vector4d(1., 2., 3., 4.)),
+                .7,
+                1e-12,
+                "the second row carries 7 of 10");
+    check_close(lags.largest_share_of_line(Eigen::Vector4d(5., -1., 5., 1.)),
+                1.,
+                1e-12,
+                "the first column carries all");
+  }
 } // namespace
 
 
@@ -70,6 +86,7 @@ namespace
 int
 main()
 {
+  lines_of_cells();
   associations();
   probabilities();
 }

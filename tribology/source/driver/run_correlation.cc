@@ -271,6 +271,8 @@ namespace squeal::tribology
       context.log.warning(line);
     for (const std::string &line : warnings_of_weak_links(links))
       context.log.warning(line);
+    for (const std::string &line : warnings_of_links_by_steps(links, p))
+      context.log.warning(line);
     for (const std::string &line : warnings_of_lacking_features(pads, p))
       context.log.warning(line);
     context.write_table("correlation.csv", link_table(links, p.is_synthetic));

@@ -30,6 +30,16 @@ namespace squeal::tribology
 
 
 
+  double
+  CellLags::largest_share_of_line(const Eigen::VectorXd &of_cells) const
+  {
+    const Eigen::MatrixXd map = on_rectangle(of_cells) / of_cells.sum();
+    return std::max(map.rowwise().sum().maxCoeff(),
+                    map.colwise().sum().maxCoeff());
+  }
+
+
+
   Eigen::VectorXd
   CellLags::sums(const Eigen::VectorXd &of_cells) const
   {

@@ -90,8 +90,9 @@ namespace squeal::tribology
     struct Slope
     {
       double          t = 0., dof = 0., scatter = 1.;
-      double          likeness = 1.; /**< of cells, that the member missed */
-      Eigen::VectorXd x, y;          /**< whitened */
+      double          likeness    = 1.; /**< of cells, that the member missed */
+      double          of_one_line = 0.; /**< of the products of cells */
+      Eigen::VectorXd x, y;             /**< whitened */
     };
 
     Slope
@@ -115,10 +116,13 @@ namespace squeal::tribology
                             r_of_cells =
                               covariance.on_cells(fit.form, residual);
       const double independent = sum * sum / fit.resolved.squaredNorm();
-      Slope        result;
-      result.x       = x;
-      result.y       = y;
-      result.scatter = common_scatter(x_of_cells, r_of_cells);
+      const Eigen::VectorXd products =
+        x_of_cells.cwiseProduct(b * x_of_cells + r_of_cells);
+      Slope result;
+      result.x           = x;
+      result.y           = y;
+      result.scatter     = common_scatter(x_of_cells, r_of_cells);
+      result.of_one_line = lags.largest_share_of_line(products);
       // what the member describes leaves as many independent cells as it has
       result.likeness = std::max(
         1., independent * lags.variance(x_of_cells, r_of_cells) / white);
@@ -308,9 +312,10 @@ namespace squeal::tribology
         within += fit.weight * s.scatter / (s.dof - 1.);
         if (fit.weight > heaviest)
           {
-            heaviest      = fit.weight;
-            link.pairs    = {{s.x, s.y}};
-            link.likeness = s.likeness;
+            heaviest         = fit.weight;
+            link.pairs       = {{s.x, s.y}};
+            link.likeness    = s.likeness;
+            link.of_one_line = s.of_one_line;
           }
       }
     // most of the posterior must be able to speak

@@ -90,6 +90,37 @@ namespace squeal::tribology
 
 
   std::vector<std::string>
+  warnings_of_links_by_steps(const std::vector<PadLink>  &links,
+                             const CorrelationParameters &p)
+  {
+    constexpr double most    = 0.5; // of the sum behind a link
+    std::size_t      n_found = 0, n = 0;
+    std::string      example;
+    for (const PadLink &l : links)
+      {
+        const bool is_found = l.test.conditional.p <= p.level;
+        n_found += is_found;
+        if (!is_found || !(l.test.conditional.of_one_line > most))
+          continue;
+        if (++n == 1)
+          example = "'" + l.index + "' with '" + l.feature + "' on pad " +
+                    std::to_string(l.pad + 1) + ", " +
+                    rounded_text(100. * l.test.conditional.of_one_line, 2) +
+                    " %";
+      }
+    if (n == 0)
+      return {};
+    return {std::to_string(n) + " of " + std::to_string(n_found) +
+            " links with a small p-value rest for the most part on one row or "
+            "column of cells (" +
+            example +
+            "): a step that both maps have there is one event, and may be "
+            "chance; give the pad by segments, or the step as a covariate"};
+  }
+
+
+
+  std::vector<std::string>
   warnings_of_coarse_features(const std::vector<PadMaps>  &pads,
                               const CorrelationParameters &p)
   {

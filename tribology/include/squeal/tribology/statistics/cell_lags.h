@@ -36,6 +36,10 @@ namespace squeal::tribology
      * with the orthonormal columns @p basis: 1 over its dimension or less. */
     double variance_in(const Eigen::MatrixXd &basis) const;
 
+    /** Largest sum over a row or a column of the lattice over that of all, and
+     * below 0 where all of them have the other sign. */
+    double largest_share_of_line(const Eigen::VectorXd &of_cells) const;
+
   private:
     /** Sums of the values at each place of the rectangle round all cells. */
     Eigen::MatrixXd on_rectangle(const Eigen::VectorXd &values) const;

@@ -42,6 +42,9 @@ namespace squeal::tribology
      * over their standard deviations: as good as independent pairs. */
     std::array<Eigen::VectorXd, 2> pairs;
     double likeness = 1.; /**< that they still have, a factor of variances */
+    /** Of the sum of products that r comes from, what one row or one column of
+     * cells carries: nearly all of it where both maps step there. */
+    double of_one_line = 0.;
   };
 
   /** Interval of the partial correlation at @p level: Fisher's z with the

@@ -101,6 +101,13 @@ namespace squeal::tribology
     const std::vector<PadMaps>  &pads,
     const CorrelationParameters &parameters);
 
+  /** Links of a small conditional p-value that rest on one row or column of
+   * cells, as those of maps do that step at one place: the test finds too many
+   * of them. */
+  std::vector<std::string> warnings_of_links_by_steps(
+    const std::vector<PadLink>  &links,
+    const CorrelationParameters &parameters);
+
   /** Pads whose table of features has rows at one place with other values. */
   std::vector<std::string> warnings_of_doubled_rows(
     const std::vector<PadMaps>  &pads,
