@@ -103,7 +103,8 @@ namespace
                    is_fei         = std::string(maker) == "FEI";
         const std::string name    = is_jeol ? "sized.png" : "sized.tif";
         const auto        read_of = [&](const cv::Size &size) {
-          const cv::Mat values(size, CV_8U, cv::Scalar(90));
+          cv::Mat values(size, CV_8U, cv::Scalar(90));
+          values.row(0) = 91; // one value alone would be warned of
           write_text("sized.txt",
                      "$CM_FULL_SIZE 640 480\r\n$$SM_MICRON_BAR 100\r\n"
                             "$$SM_MICRON_MARKER 100um\r\n");
