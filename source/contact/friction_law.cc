@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace squeal
@@ -135,24 +136,47 @@ namespace squeal
   double
   FrictionLaw::steepest_fall(const double v) const
   {
-    return steepest(-1., v);
-  }
-
-  double
-  FrictionLaw::steepest_rise(const double v) const
-  {
-    return steepest(1., v);
-  }
-
-  double
-  FrictionLaw::steepest(const double sign, const double v) const
-  {
     // The exponential law is steepest at rest, a table between its points.
     if (kind != ContactParameters::FrictionLaw::table)
-      return std::max(0., sign * slope(0.));
+      return std::max(0., -slope(0.));
     double result = 0.;
     for (std::size_t i = 1; i < speeds.size() && speeds[i - 1] <= v; ++i)
-      result = std::max(result, sign * slope_before(i, speeds, coefficients));
+      result = std::max(result, -slope_before(i, speeds, coefficients));
+    return result;
+  }
+
+
+
+  bool
+  FrictionLaw::rises() const
+  {
+    return kind == ContactParameters::FrictionLaw::table
+             ? std::adjacent_find(coefficients.begin(),
+                                  coefficients.end(),
+                                  std::less<double>()) != coefficients.end()
+             : slope(0.) > 0.;
+  }
+
+  FrictionLaw::Range
+  FrictionLaw::rising_range(const double v) const
+  {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    if (kind != ContactParameters::FrictionLaw::table)
+      return slope(0.) > 0. ? Range{0., any} : Range{v, v};
+    const auto falls_before = [&](const std::size_t i) {
+      return slope_before(i, speeds, coefficients) < 0.;
+    };
+    const std::size_t n = speeds.size();
+    // The first point above v, and the first that is not below it.
+    std::size_t above = std::upper_bound(speeds.begin(), speeds.end(), v) -
+                        speeds.begin(),
+                at = std::lower_bound(speeds.begin(), speeds.end(), v) -
+                     speeds.begin();
+    Range result{v, v};
+    for (; above <= n && !falls_before(above); ++above)
+      result.last = above < n ? speeds[above] : any;
+    for (; at > 0 && !falls_before(at); --at)
+      result.first = speeds[at - 1];
     return result;
   }
 
@@ -180,6 +204,12 @@ namespace squeal
   FrictionLaw::recalled(const double memory) const
   {
     return memory >= 0. ? coefficient(memory) : at_rest();
+  }
+
+  FrictionLaw::Range
+  FrictionLaw::range_recalled(const double memory) const
+  {
+    return rising_range(std::max(0., memory));
   }
 
 
@@ -227,6 +257,13 @@ namespace squeal
     return std::all_of(laws.begin(), laws.end(), [](const auto &law) {
       return law.is_constant();
     });
+  }
+
+  bool
+  FrictionLaws::rises() const
+  {
+    return std::any_of(
+      laws.begin(), laws.end(), [](const auto &law) { return law.rises(); });
   }
 
   bool

@@ -217,9 +217,8 @@ namespace squeal
              Allowed::positive(),
              "Time step. Where friction falls with the slip rate, with "
              "'Integrator = reduced', it has to be longer than the flexibility "
-             "of a contact node times its normal force times that fall, and "
-             "where friction rises, than twice that with its rise; a warning "
-             "names the shortest.",
+             "of a contact node times its normal force times that fall; a "
+             "warning names the shortest.",
              "s")
         .resolution();
       schema.add(

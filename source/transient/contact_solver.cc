@@ -36,8 +36,11 @@ namespace squeal
   /** The forces that the law gives one node for forces and motion tried. */
   struct ContactSolver::Projection
   {
-    ContactStatus   status;
-    double          friction;
+    ContactStatus status;
+    double        friction; /**< mu */
+    /** Of what is tried, by how much more of it the force becomes more: the
+     * rest becomes slip. */
+    double          share = 0.;
     double          normal; /**< lambda_n - rho g, N */
     Eigen::Vector2d tried;  /**< lambda_t + rho slip, N */
     Eigen::Vector3d forces; /**< allowed */
@@ -144,11 +147,22 @@ namespace squeal
       u.segment<2>(3 * j + 1) - step.previous_motion.segment<2>(3 * j + 1);
     slip[0] += step.duration * step.speed * ratio[j];
     p.tried = lambda.segment<2>(3 * j + 1) + now.rho_tangential[j] * slip;
-    const double size = p.tried.norm(), limit = p.friction * p.normal;
+    const double size  = p.tried.norm();
+    bool         slips = size > p.friction * p.normal;
+    if (!step.rising.empty() && step.rising[j].follows())
+      {
+        const double rho = now.rho_tangential[j];
+        const auto   next =
+          step.rising[j].slip(size, p.normal, rho, step.duration);
+        slips      = next.has_value();
+        p.friction = next ? next->friction : p.friction;
+        p.share =
+          next ? next->slope * p.normal / (next->slope * p.normal + rho) : 0.;
+      }
     p.forces[0] = p.normal;
-    p.status    = size > limit ? ContactStatus::slip : ContactStatus::stick;
-    if (size > limit)
-      p.forces.tail<2>() = limit / size * p.tried;
+    p.status    = slips ? ContactStatus::slip : ContactStatus::stick;
+    if (slips)
+      p.forces.tail<2>() = p.friction * p.normal / size * p.tried;
     else
       p.forces.tail<2>() = p.tried;
     return p;
@@ -167,6 +181,8 @@ namespace squeal
         const double size = p.tried.norm();
         result.direction  = p.tried / size;
         result.turning    = p.friction * p.normal / size;
+        result.along      = p.share;
+        result.friction *= 1. - p.share;
       }
     return result;
   }

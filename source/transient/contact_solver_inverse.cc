@@ -35,17 +35,18 @@ namespace squeal
         return;
       }
     // d(lambda_t - mu p_n x/|x|) with p_n = lambda_n - rho_n g and
-    // x = lambda_t + rho_t s.
+    // x = lambda_t + rho_t s; where mu rises with s, x takes part along it.
     const Eigen::Vector2d &d = r.direction;
-    const Eigen::Matrix2d  across =
-      r.turning * (Eigen::Matrix2d::Identity() - d * d.transpose());
+    const Eigen::Matrix2d  by_x =
+      r.turning * (Eigen::Matrix2d::Identity() - d * d.transpose()) +
+      r.along * d * d.transpose();
     for (unsigned int c = 0; c < 2; ++c)
       J.row(1 + c) = (r.friction * rho_n * d[c] * W.col(3 * j) +
-                      rho_t * across(c, 0) * W.col(3 * j + 1) +
-                      rho_t * across(c, 1) * W.col(3 * j + 2))
+                      rho_t * by_x(c, 0) * W.col(3 * j + 1) +
+                      rho_t * by_x(c, 1) * W.col(3 * j + 2))
                        .transpose();
     J.block<2, 1>(1, 3 * j) -= r.friction * d;
-    J.block<2, 2>(1, 3 * j + 1) += Eigen::Matrix2d::Identity() - across;
+    J.block<2, 2>(1, 3 * j + 1) += Eigen::Matrix2d::Identity() - by_x;
   }
 
 

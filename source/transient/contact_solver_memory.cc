@@ -17,12 +17,13 @@ namespace squeal
     NamedNumbers
     numbers_of(const std::vector<NodeRows> &rows)
     {
-      std::vector<double> status, friction, turning, direction;
+      std::vector<double> status, friction, turning, along, direction;
       for (const NodeRows &r : rows)
         {
           status.push_back(static_cast<double>(r.status));
           friction.push_back(r.friction);
           turning.push_back(r.turning);
+          along.push_back(r.along);
           direction.push_back(r.direction[0]);
           direction.push_back(r.direction[1]);
         }
@@ -30,6 +31,7 @@ namespace squeal
       result.set("status", status);
       result.set("friction", friction);
       result.set("turning", turning);
+      result.set("along", along);
       result.set("direction", direction);
       return result;
     }
@@ -40,6 +42,7 @@ namespace squeal
       const auto           &status    = numbers.get("status", n);
       const auto           &friction  = numbers.get("friction", n);
       const auto           &turning   = numbers.get("turning", n);
+      const auto           &along     = numbers.get("along", n);
       const auto           &direction = numbers.get("direction", 2 * n);
       std::vector<NodeRows> rows(n);
       for (std::size_t j = 0; j < n; ++j)
@@ -48,6 +51,7 @@ namespace squeal
             whole_number(status[j], last_status, "status"));
           rows[j].friction = friction[j];
           rows[j].turning  = turning[j];
+          rows[j].along    = along[j];
           rows[j].direction =
             Eigen::Vector2d(direction[2 * j], direction[2 * j + 1]);
         }

@@ -19,7 +19,14 @@ namespace squeal
             std::abs(friction - other.friction) <= 1e-3) &&
            (status != ContactStatus::slip ||
             ((direction - other.direction).squaredNorm() <= 0.01 &&
-             std::abs(turning - other.turning) <= 0.1 * (1. + other.turning)));
+             std::abs(turning - other.turning) <= 0.1 * (1. + other.turning) &&
+             std::abs(along - other.along) <= 0.02));
+  }
+
+  bool
+  NodeRows::is_limited() const
+  {
+    return status == ContactStatus::slip && along == 0.;
   }
 
 
@@ -38,10 +45,7 @@ namespace squeal
       {
         const Eigen::Index first = 3 * j;
         const auto d = nodes[j].direction.template cast<Scalar>().eval();
-        if (nodes[j].status == ContactStatus::stick)
-          for (int c = 0; c < 3; ++c)
-            unknowns.push_back({first, Vector::Unit(c), Vector::Unit(c)});
-        else if (nodes[j].status == ContactStatus::slip)
+        if (nodes[j].is_limited())
           {
             const Scalar mu = static_cast<Scalar>(nodes[j].friction);
             const Vector across(0, -d[1], d[0]);
@@ -49,6 +53,9 @@ namespace squeal
               {first, Vector::Unit(0), Vector(1, mu * d[0], mu * d[1])});
             unknowns.push_back({first, across, across});
           }
+        else if (nodes[j].status != ContactStatus::open)
+          for (int c = 0; c < 3; ++c)
+            unknowns.push_back({first, Vector::Unit(c), Vector::Unit(c)});
       }
     const Eigen::Index m = unknowns.size();
     equations.resize(m, J.cols());
@@ -84,9 +91,9 @@ namespace squeal
     for (std::size_t j = 0; j < base.size(); ++j)
       {
         auto x = result.template middleRows<3>(3 * j);
-        if (base[j].status == ContactStatus::stick)
+        if (base[j].status != ContactStatus::open && !base[j].is_limited())
           x.setZero();
-        else if (base[j].status == ContactStatus::slip)
+        else if (base[j].is_limited())
           for (Eigen::Index k = 0; k < x.cols(); ++k)
             {
               const auto   d  = base[j].direction.template cast<Scalar>();

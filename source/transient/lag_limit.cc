@@ -14,18 +14,10 @@ namespace squeal
 
 
 
-  double
-  lag_slope(const double fall, const double rise)
-  {
-    return std::max(fall, 2. * rise);
-  }
-
-
-
   LagLimit
   lag_limit(const ReducedContactModel &model,
             const SteadySliding       &steady,
-            const Eigen::VectorXd     &slope,
+            const Eigen::VectorXd     &fall,
             const double               step)
   {
     LagLimit              result;
@@ -34,9 +26,9 @@ namespace squeal
     const Eigen::MatrixXd G       = model.flexibility(along, along);
     Eigen::VectorXd       weights = Eigen::VectorXd::Zero(n);
     for (unsigned int j = 0; j < n; ++j)
-      if (steady.status[j] != ContactStatus::open)
+      if (steady.status[j] == ContactStatus::slip)
         {
-          weights[j] = std::sqrt(std::max(0., steady.forces[3 * j] * slope[j]));
+          weights[j] = std::sqrt(std::max(0., steady.forces[3 * j] * fall[j]));
           if (weights[j] * weights[j] * G(j, j) > step)
             ++result.n_above;
         }

@@ -21,6 +21,7 @@ namespace squeal
     , speed(drive.speed)
     , laws(drive.laws)
     , by_slip_rate(laws && !laws->is_constant())
+    , rises(laws && laws->rises())
     , ratio(speed_ratio)
   {
     if (by_slip_rate)
@@ -54,13 +55,18 @@ namespace squeal
         step.friction = std::max(0., added(time));
         return;
       }
-    const double more = added(time);
     step.nodal_friction.resize(ratio.size());
+    step.rising.assign(rises ? ratio.size() : 0, RisingFriction());
     for (Eigen::Index j = 0; j < ratio.size(); ++j)
       {
-        const double mu        = by_slip_rate ? laws->of(j).recalled(memory[j])
-                                              : laws->of(j).at_rest();
-        step.nodal_friction[j] = std::max(0., mu + (ratio[j] > 0. ? more : 0.));
+        const FrictionLaw &law  = laws->of(j);
+        const double       more = ratio[j] > 0. ? added(time) : 0.;
+        const double       mu =
+          by_slip_rate ? law.recalled(memory[j]) : law.at_rest();
+        step.nodal_friction[j] = std::max(0., mu + more);
+        if (rises)
+          step.rising[j] =
+            RisingFriction(law, law.range_recalled(memory[j]), more);
       }
   }
 

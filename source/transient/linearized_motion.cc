@@ -10,15 +10,13 @@ namespace squeal
 {
   namespace
   {
-    /** A node of a pair at rest whose friction rises from zero: a dashpot
-     * against slip of any direction. */
+    /** A node whose friction rises with the slip rate: a dashpot along the
+     * sliding, and in a pair at rest, where friction rises from zero, against
+     * slip of any direction. */
     bool
-    is_damped_at_rest(const ReducedContactModel &model,
-                      const NodalFriction       &friction,
-                      const int                  j)
+    is_damped(const NodalFriction &friction, const int j)
     {
-      return model.speed_ratio[j] == 0. && friction.coefficient[j] == 0. &&
-             friction.slope[j] > 0.;
+      return friction.slope[j] > 0.;
     }
 
     /** Rows of all nodal forces and motions, by what the nodes do. */
@@ -42,11 +40,10 @@ namespace squeal
               normal_of_slipping.push_back(kept.size());
               kept.push_back(3 * j);
               along.push_back(3 * j + 1);
-              if (is_damped_at_rest(model, friction, j))
-                add(model, j, 1, across, across_in_modes);
-              if (friction.coefficient[j] > 0. ||
-                  is_damped_at_rest(model, friction, j))
-                add(model, j, 2, across, across_in_modes);
+              if (is_damped(friction, j))
+                add(model, j, 1, viscous, viscous_in_modes);
+              if (friction.coefficient[j] > 0. || is_damped(friction, j))
+                add(model, j, 2, viscous, viscous_in_modes);
               break;
             }
       }
@@ -75,10 +72,11 @@ namespace squeal
       /** Those of sticking nodes without a flexibility: the modes keep them. */
       std::vector<int> kept_by_modes;
       std::vector<int> normal_of_slipping; /**< places among them */
-      /** Of slipping nodes; across the sliding of those with friction that are
-       * free to move there, on the flexibility and in the modes alone. Of nodes
-       * that are damped at rest these have both directions. */
-      std::vector<int> along, across, across_in_modes;
+      std::vector<int> along;              /**< of slipping nodes */
+      /** Directions in which a slipping node that is free to move there is a
+       * dashpot, on the flexibility and in the modes alone: across the sliding
+       * of those with friction, along it of those whose friction rises. */
+      std::vector<int> viscous, viscous_in_modes;
     };
 
     /** w^T x, and where two pairs have coalesced, so that nothing but rounding
@@ -137,8 +135,13 @@ namespace squeal
     Eigen::VectorXd x(left.cols());
     x.head(2 * q.size()) << q - steady.coordinates, v;
     if (left.cols() > 2 * q.size())
-      x.tail(left.cols() - 2 * q.size()) =
-        (forces - steady.forces)(rows_across);
+      {
+        const Eigen::VectorXd more = forces - steady.forces;
+        for (std::size_t i = 0; i < rows_viscous.size(); ++i)
+          x[2 * q.size() + i] =
+            more[rows_viscous[i]] -
+            limit_by_normal[i] * more[rows_viscous[i] / 3 * 3];
+      }
     return left * x;
   }
 
@@ -171,8 +174,8 @@ namespace squeal
         , G(m.flexibility)
         , mu(rows.slipping.size())
         , by_slip(rows.slipping.size())
-        , inverse_rate(rows.across.size())
-        , dashpots(rows.across_in_modes.size())
+        , inverse_rate(rows.viscous.size())
+        , dashpots(rows.viscous_in_modes.size())
       {
         if (const Eigen::MatrixXd fill = fill_of_null_space(m); fill.size() > 0)
           G += fill;
@@ -180,22 +183,21 @@ namespace squeal
           {
             const int j = rows.slipping[i];
             mu[i]       = friction.coefficient[j];
-            by_slip[i]  = is_damped_at_rest(m, friction, j)
-                            ? 0.
-                            : friction.slope[j] * steady.forces[3 * j];
+            by_slip[i] = std::min(0., friction.slope[j]) * steady.forces[3 * j];
           }
         const double least = 1e-6 * steady.resultant()[0] / steady.n_closed();
-        const auto   inverse_rate_of = [&](const int j) {
+        const auto   inverse_rate_of = [&](const int row) {
+          const int    j     = row / 3;
           const double force = std::max(steady.forces[3 * j], least);
-          return is_damped_at_rest(m, friction, j)
-                     ? 1. / (friction.slope[j] * force)
-                     : speed * model.speed_ratio[j] /
-                       (friction.coefficient[j] * force);
+          const bool   rises = row % 3 == 1 || friction.coefficient[j] == 0.;
+          return rises ? 1. / (friction.slope[j] * force)
+                         : speed * model.speed_ratio[j] /
+                           (friction.coefficient[j] * force);
         };
         for (Eigen::Index k = 0; k < inverse_rate.size(); ++k)
-          inverse_rate[k] = inverse_rate_of(rows.across[k] / 3);
+          inverse_rate[k] = inverse_rate_of(rows.viscous[k]);
         for (Eigen::Index k = 0; k < dashpots.size(); ++k)
-          dashpots[k] = 1. / inverse_rate_of(rows.across_in_modes[k] / 3);
+          dashpots[k] = 1. / inverse_rate_of(rows.viscous_in_modes[k]);
       }
 
       Eigen::MatrixXd
@@ -225,9 +227,9 @@ namespace squeal
       const ClosedRows           rows;
       /** The flexibility, and some where nothing moves along the face, m/N. */
       Eigen::MatrixXd G;
-      /** mu, p_0 dmu/dv of the slipping nodes, |V|/(mu p_0) of those that
-       * `across` has (1/(p_0 dmu/dv) at rest), and its inverse, N s/m, of those
-       * of `across_in_modes`. */
+      /** mu and, where it falls, p_0 dmu/dv of the slipping nodes; of the rows
+       * `viscous`, |V|/(mu p_0) across the sliding and 1/(p_0 dmu/dv) along it
+       * and at rest; N s/m, the inverse of that of `viscous_in_modes`. */
       Eigen::VectorXd mu, by_slip, inverse_rate, dashpots;
     };
 
@@ -242,7 +244,7 @@ namespace squeal
         const Eigen::PartialPivLU<Eigen::MatrixXd> factor(
           c.with_friction(c.rows.kept));
         by_q    = factor.solve(c.participation(c.rows.kept));
-        by_s    = -factor.solve(c.flexibility(c.rows.kept, c.rows.across));
+        by_s    = -factor.solve(c.flexibility(c.rows.kept, c.rows.viscous));
         by_slip = -factor.solve(Eigen::MatrixXd(
           c.flexibility(c.rows.kept, c.rows.along) * c.by_slip.asDiagonal()));
       }
@@ -260,19 +262,19 @@ namespace squeal
       const Eigen::Index    n    = c.model.n_modes();
       const KeptForces      normal(c);
       const Eigen::MatrixXd Psi_t = c.participation(rows.along),
-                            Psi_s = c.participation(rows.across);
+                            Psi_s = c.participation(rows.viscous);
       Eigen::MatrixXd pulled      = c.participation(rows.kept);
       pulled(rows.normal_of_slipping, Eigen::all) += c.mu.asDiagonal() * Psi_t;
       const Eigen::MatrixXd drag = -pulled.transpose();
       const Eigen::MatrixXd v_by_slip =
         drag * normal.by_slip - Psi_t.transpose() * c.by_slip.asDiagonal();
-      const Eigen::MatrixXd H = c.with_friction(rows.across),
+      const Eigen::MatrixXd H = c.with_friction(rows.viscous),
                             F = c.with_friction(rows.along);
       const Eigen::MatrixXd E =
-        c.flexibility(rows.across, rows.across) + H * normal.by_s;
+        c.flexibility(rows.viscous, rows.viscous) + H * normal.by_s;
       Eigen::MatrixXd slip_by_v = Psi_t - F * normal.by_q;
 
-      const Eigen::Index n_s  = rows.across.size();
+      const Eigen::Index n_s  = rows.viscous.size();
       const Eigen::Index size = 2 * n + n_s;
       Eigen::MatrixXd    A    = Eigen::MatrixXd::Zero(size, size);
       A.block(0, n, n, n).setIdentity();
@@ -285,7 +287,7 @@ namespace squeal
           s_by_state << Psi_s - H * normal.by_q,
             Eigen::MatrixXd((-c.inverse_rate).asDiagonal());
           // The slip rate along the sliding has a part by d/dt lambda_s.
-          s_rate = (F * normal.by_s + c.flexibility(rows.along, rows.across)) *
+          s_rate = (F * normal.by_s + c.flexibility(rows.along, rows.viscous)) *
                    E.partialPivLu().solve(s_by_state);
           slip_by_v -= s_rate.leftCols(n);
           A.block(n, 2 * n, n, n_s) = drag * normal.by_s - Psi_s.transpose() -
@@ -297,7 +299,7 @@ namespace squeal
         A.block(n, n, n, n) -= c.model.damping_coupling;
       if (c.dashpots.size() > 0)
         {
-          const Eigen::MatrixXd Psi_d = c.participation(rows.across_in_modes);
+          const Eigen::MatrixXd Psi_d = c.participation(rows.viscous_in_modes);
           A.block(n, n, n, n) -=
             Psi_d.transpose() * c.dashpots.asDiagonal() * Psi_d;
         }
@@ -306,7 +308,7 @@ namespace squeal
           // What the slope adds to u_s changes with the rate of the slip.
           const Eigen::MatrixXd s_by_slip =
             H * normal.by_slip +
-            c.flexibility(rows.across, rows.along) * c.by_slip.asDiagonal();
+            c.flexibility(rows.viscous, rows.along) * c.by_slip.asDiagonal();
           Eigen::MatrixXd rate    = Eigen::MatrixXd::Zero(n_s, size);
           rate.rightCols(n + n_s) = s_by_state;
           rate -= s_by_slip * slip_by_v * A.middleRows(n, n);
@@ -337,7 +339,8 @@ namespace squeal
       return result;
     }
 
-    /** What a relative change of the slopes dmu/dv adds to A, over it. */
+    /** What a relative change of the slopes dmu/dv that are negative adds to A,
+     * over it. */
     Eigen::MatrixXd
     change_by_slope(const ReducedContactModel &model,
                     const SteadySliding       &steady,
@@ -348,11 +351,34 @@ namespace squeal
       constexpr double increment = 1e-3;
       const auto       matrix    = [&](const double factor) {
         NodalFriction other = friction;
-        other.slope *= factor;
+        other.slope =
+          (other.slope.array() < 0.).select(factor * other.slope, other.slope);
         return state_matrix(ClosedContact(model, steady, other, speed));
       };
       return (matrix(1. + increment) - matrix(1. - increment)) /
              (2. * increment);
+    }
+
+    /** What a relative change of the dashpots adds to every eigenvalue of @p A,
+     * over it: those on the flexibility divide the rates of their forces, those
+     * in the modes damp these. */
+    Eigen::VectorXcd
+    change_by_viscosity(const ClosedContact    &c,
+                        const Eigen::MatrixXd  &A,
+                        const LinearizedMotion &linear)
+    {
+      const Eigen::Index     n = c.model.n_modes(), n_s = c.rows.viscous.size();
+      const Eigen::MatrixXd  Psi = c.participation(c.rows.viscous_in_modes);
+      const auto             v = Eigen::seqN(n, n), s = Eigen::seqN(2 * n, n_s);
+      const Eigen::MatrixXcd at_v = Psi * linear.right(v, Eigen::all);
+      const Eigen::MatrixXcd by_v =
+        (linear.left(Eigen::all, v) * Psi.transpose()) *
+        c.dashpots.asDiagonal();
+      return -(by_v.cwiseProduct(at_v.transpose()).rowwise().sum() +
+               (linear.left(Eigen::all, s) * A(s, s))
+                 .cwiseProduct(linear.right(s, Eigen::all).transpose())
+                 .rowwise()
+                 .sum());
     }
   } // namespace
 
@@ -377,16 +403,15 @@ namespace squeal
         result.left  = (result.left * states.transpose()).eval();
         result.right = (states * result.right).eval();
       }
-    const Eigen::Index n_s = closed.rows.across.size();
-    result.across          = A.bottomRightCorner(n_s, n_s);
-    result.rows_across     = closed.rows.across;
-    // At rest the size of the force lags by the slope, and its direction alone
-    // is that of the step.
+    const Eigen::Index n_s = closed.rows.viscous.size();
+    result.by_viscosity    = change_by_viscosity(closed, A, result);
+    result.rows_viscous    = closed.rows.viscous;
+    result.limit_by_normal = Eigen::VectorXd::Zero(n_s);
     for (Eigen::Index i = 0; i < n_s; ++i)
-      if (is_damped_at_rest(model, friction, result.rows_across[i] / 3))
-        result.across.col(i).setZero();
+      if (const int row = result.rows_viscous[i]; row % 3 == 1)
+        result.limit_by_normal[i] = friction.coefficient[row / 3];
     result.by_slope = Eigen::VectorXcd::Zero(result.lambda.size());
-    if (!friction.slope.isZero(0.))
+    if ((friction.slope.array() < 0.).any())
       result.by_slope =
         (result.left * change_by_slope(model, steady, friction, speed))
           .cwiseProduct(result.right.transpose())

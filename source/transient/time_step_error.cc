@@ -10,7 +10,7 @@ namespace squeal
                      const LinearizedMotion    &linear,
                      const double               dt)
   {
-    const Eigen::Index n = model.n_modes(), n_s = linear.left.cols() - 2 * n;
+    const Eigen::Index n = model.n_modes();
     Eigen::VectorXcd   result(linear.lambda.size());
     for (Eigen::Index k = 0; k < result.size(); ++k)
       {
@@ -24,16 +24,13 @@ namespace squeal
            (lambda * (lambda * q + model.damping_forces(q)) +
             model.omega_squared.cwiseProduct(q)))
             .value();
-        // A force across the sliding at the end of a step belongs to the slip
-        // rate of its middle.
-        const Complex by_lag = (linear.left.row(k).tail(n_s) * linear.across *
-                                linear.right.col(k).tail(n_s))
-                                 .value();
-        // Friction at the end of a step follows the mean slip rate of the one
+        // A viscous force at the end of a step belongs to the slip rate of its
+        // middle. Falling friction there follows the mean slip rate of the step
         // before, whose middle is 3/2 steps back.
         const Complex z = lambda * dt;
         result[k] =
-          z * (z / 12. * by_force + 0.5 * by_lag) +
+          z * z / 12. * by_force +
+          linear.by_viscosity[k] * (std::exp(-0.5 * z) - 1.) +
           linear.by_slope[k] * (std::exp(-1.5 * z) * (1. + z * z / 24.) - 1.);
       }
     return result;
@@ -54,12 +51,15 @@ namespace squeal
   explicit_step_error(const Complex lambda,
                       const double  dt,
                       const double  beta_2,
-                      const Complex by_slope)
+                      const Complex by_slope,
+                      const Complex by_viscosity)
   {
     // Forces act at the start of a step, half a step after the middle of the
     // one before. Of its mean slip rate, z^2/24 too large, nothing is left: an
-    // acceleration that is z^2/12 too large takes as much off.
+    // acceleration that is z^2/12 too large takes as much off. Viscous forces
+    // belong to the slip rate of the middle of the step.
     return lambda * lambda * dt * (0.5 * (beta_2 - 0.5) - lambda * dt / 24.) +
-           by_slope * (std::exp(-0.5 * lambda * dt) - 1.);
+           by_slope * (std::exp(-0.5 * lambda * dt) - 1.) +
+           by_viscosity * (std::exp(0.5 * lambda * dt) - 1.);
   }
 } // namespace squeal

@@ -2,8 +2,7 @@
 
 // Friction that depends on the slip rate: the stick-slip oscillator on a belt,
 // the growth rate of an oscillator against its eigenvalue, the shortest step
-// that the lag of falling and of rising friction holds a node in, and the decay
-// by a pair at rest whose friction rises from zero.
+// that the lag of falling friction holds a node in.
 
 #include "transient/hand_made.h"
 #include "transient/pressed_brake.h"
@@ -29,17 +28,8 @@ namespace
   // The oscillator m = k = N = 1 on a belt.
   constexpr double belt = .1, kinetic = .3, at_rest = .5;
 
-  /** A mass of 1 kg on a spring of 1 N/m along y, pressed on the belt. */
-  ReducedContactModel
-  oscillator(const double dt)
-  {
-    ReducedContactModel m = rigid_block(1., dt);
-    m.omega_squared[1]    = 1.;
-    m.load[0]             = -1.;
-    return m;
-  }
-
-  /** The same as a scene of a lumped body, with springs along z and x too. */
+  /** The oscillator as a scene of a lumped body, with springs along z and x
+   * too. */
   SceneParameters
   oscillator_scene()
   {
@@ -318,47 +308,38 @@ namespace
   }
 
   /** The lag holds a node in longer steps than the flexibility times the fall
-   * of its friction, or twice its rise, and no shorter ones: an oscillator that
-   * is damped enough to come to rest sticks and slips in those. */
+   * of its friction, and no shorter ones: an oscillator that is damped enough
+   * to come to rest sticks and slips in those. */
   void
   shortest_step()
   {
-    constexpr double flexibility = 1e-2;
-    double           fall        = 0.;
-    for (const double excess : {-.1, .1})
-      {
-        const ContactParameters c = falling(kinetic, kinetic + excess, .2);
-        const FrictionLaw       law(c);
-        const std::string       name = excess > 0. ? "falls: " : "rises: ";
-        fall                         = -law.slope(belt);
-        check(law.steepest_fall(belt) == std::max(0., -law.slope(0.)) &&
-                law.steepest_rise(belt) == std::max(0., law.slope(0.)),
-              name + "steepest at rest");
-        ReducedContactModel m = oscillator(1e-3);
-        m.flexibility         = flexibility * Eigen::MatrixXd::Identity(3, 3);
-        m.damping[1]          = 1.;
-        const SteadySliding steady = steady_sliding(m, law.coefficient(belt));
-        const double slope = lag_slope(std::max(0., fall), std::max(0., -fall));
-        const Eigen::VectorXd of_node = Eigen::VectorXd::Constant(1, slope);
-        const LagLimit        limit   = lag_limit(m, steady, of_node, 1e-3);
-        check_close(limit.shortest,
-                    flexibility * (fall > 0. ? fall : -2. * fall),
-                    1e-9,
-                    name + "flexibility times normal force times slope");
-        check(limit.n_above == 1,
-              name + "the node needs longer steps than 1 ms");
-        check(lag_limit(m, steady, of_node, 1e-2).n_above == 0,
-              name + "and no longer ones than 10 ms");
-        const unsigned int shorter =
-                             steps_in_stick(m, c, steady, .7 * limit.shortest),
-                           longer =
-                             steps_in_stick(m, c, steady, 1.4 * limit.shortest);
-        std::printf(
-          "steps in stick: %u below the limit, %u above\n", shorter, longer);
-        check(shorter > 100,
-              name + "the node jumps to and fro in shorter steps");
-        check(longer == 0, name + "the node slides on in longer ones");
-      }
+    constexpr double        flexibility = 1e-2;
+    const ContactParameters law         = falling(kinetic, kinetic + .1, .2);
+    const double            fall        = -FrictionLaw(law).slope(belt);
+    check(FrictionLaw(law).steepest_fall(belt) == -FrictionLaw(law).slope(0.),
+          "steepest at rest");
+    ReducedContactModel m = oscillator(1e-3);
+    m.flexibility         = flexibility * Eigen::MatrixXd::Identity(3, 3);
+    m.damping[1]          = 1.;
+    const SteadySliding steady =
+      steady_sliding(m, FrictionLaw(law).coefficient(belt));
+    const Eigen::VectorXd fall_of_node = Eigen::VectorXd::Constant(1, fall);
+    const LagLimit        limit = lag_limit(m, steady, fall_of_node, 1e-3);
+    check_close(limit.shortest,
+                flexibility * fall,
+                1e-9,
+                "flexibility times normal force times fall");
+    check(limit.n_above == 1, "the node needs longer steps than 1 ms");
+    check(lag_limit(m, steady, fall_of_node, 1e-2).n_above == 0,
+          "and no longer ones than 10 ms");
+    const unsigned int shorter =
+                         steps_in_stick(m, law, steady, .7 * limit.shortest),
+                       longer =
+                         steps_in_stick(m, law, steady, 1.4 * limit.shortest);
+    std::printf(
+      "steps in stick: %u below the limit, %u above\n", shorter, longer);
+    check(shorter > 100, "the node jumps to and fro in shorter steps");
+    check(longer == 0, "the node slides on in longer ones");
 
     // Nodes that give way together need the step of the stiffest sum.
     ReducedContactModel two = empty_model(2, 0);
@@ -373,81 +354,6 @@ namespace
       1e-9,
       "two nodes: the largest eigenvalue");
   }
-
-
-
-  /** The oscillator on a belt, pressed by 1 N, and a node at rest that another
-   * newton presses against its side: it sees the motions along y and z. Nodes
-   * give way by @p flexibility, m/N. */
-  ReducedContactModel
-  beside_abutment(const double flexibility)
-  {
-    ReducedContactModel m = empty_model(2, 3);
-    m.flexibility         = flexibility * Eigen::MatrixXd::Identity(6, 6);
-    m.omega_squared[1]    = 1.;
-    m.load                = Eigen::Vector3d(-1., 0., -1.);
-    m.speed_ratio[1]      = 0.;
-    m.participation(0, 0) = m.participation(3, 2) = -1.; // normals z and x
-    m.participation(1, 1) = m.participation(4, 1) = -1.;
-    m.participation(2, 2) = m.participation(5, 0) = -1.;
-    return m;
-  }
-
-  /** s^2 + 1 + c s / (1 + c G s) = 0 with the dashpot c = p mu' behind the
-   * flexibility G of the node at rest. */
-  void
-  damped_at_rest()
-  {
-    constexpr double  slope = .1, flexibility = .05, dt = .025;
-    ContactParameters slides, rests;
-    rests.friction_law          = ContactParameters::FrictionLaw::table;
-    rests.friction_speeds       = {0., 10.};
-    rests.friction_coefficients = {0., 10. * slope};
-    auto laws =
-      std::make_shared<FrictionLaws>(FrictionLaws(FrictionLaw(slides)));
-    laws->append(FrictionLaw(rests), 1);
-    const ReducedContactModel m = beside_abutment(flexibility);
-    const NodalFriction       f = laws->in_sliding(m.speed_ratio, belt);
-    check(f.coefficient[1] == 0. && f.slope[1] == slope,
-          "at rest: no friction, and the slope of the law");
-    const SteadySliding s = steady_sliding(m, f.coefficient, 1., 1e-13);
-    check_close(s.forces[3], 1., 1e-9, "the abutment bears 1 N");
-    Complex exact(0., 1.);
-    for (unsigned int i = 0; i < 50; ++i)
-      exact =
-        Complex(0., 1.) *
-        std::sqrt(1. + slope * exact / (1. + slope * flexibility * exact));
-    const LinearizedMotion l = linearize(m, s, f, belt);
-    Eigen::Index           k;
-    check_below((l.lambda.array() - exact).abs().minCoeff(&k),
-                1e-10,
-                "decays by the dashpot in series with the flexibility");
-    TransientDrive drive = steady_drive(0., belt);
-    drive.laws           = laws;
-    ReducedTransient run(m, dt, drive, 1., 1e-12);
-    run.start(s.coordinates, Eigen::Vector3d(0., 1e-3, 0.), s.forces);
-    const auto amplitude = [&]() {
-      return std::abs(
-        l.amplitudes(s, run.coordinates(), run.velocities(), run.forces())[k]);
-    };
-    double start = 0., begin = 0.;
-    while (run.time() < 18. * M_PI)
-      {
-        run.advance();
-        if (start == 0. && run.time() > 2. * M_PI)
-          {
-            start = amplitude();
-            begin = run.time();
-          }
-      }
-    const double rate   = std::log(amplitude() / start) / (run.time() - begin),
-                 stated = reduced_step_error(m, l, dt)[k].real();
-    std::printf("at rest: sigma %.8f, in time %.8f, stated error %.2e\n",
-                exact.real(),
-                rate,
-                stated);
-    check_close(rate, exact.real() + stated, .02, "and so it does in time");
-  }
 } // namespace
 
 int
@@ -461,10 +367,6 @@ main(int argc, char *argv[])
     growing_oscillator();
   else if (which == "shortest_step")
     shortest_step();
-  else if (which == "pair_at_rest")
-    damped_at_rest();
   else
-    check(false,
-          "an argument: belt, oscillator, shortest_step or "
-          "pair_at_rest");
+    check(false, "an argument: belt, oscillator or shortest_step");
 }

@@ -138,47 +138,54 @@ namespace
   }
 
   /** Oscillators q'' + w^2 q = s q' of 5 kHz whose q' on the right is that of
-   * the step before, from the equation of each scheme in e^(lambda dt). */
+   * the step before where it drives, of the step itself where it damps, from
+   * the equation of each scheme in e^(lambda dt). */
   void
   lagged_schemes()
   {
-    using Complex   = std::complex<double>;
-    const double  w = 2. * M_PI * 5e3, s = 1e3;
-    const Complex lambda(s / 2., std::sqrt(w * w - s * s / 4.)),
-      by_slope = s * lambda / (2. * lambda - s);
+    using Complex  = std::complex<double>;
+    const double w = 2. * M_PI * 5e3;
     for (const bool is_implicit : {true, false})
-      for (const double dt : {2e-6, 1e-6, 5e-7})
-        {
-          const auto equation = [&](const Complex l) {
-            const Complex Z = std::exp(l * dt);
-            if (!is_implicit)
-              return (Z - 2. + 1. / Z) / (dt * dt) + w * w -
-                     s * (1. - 1. / Z) / dt;
-            const Complex rate = 2. / dt * (Z - 1.) / (Z + 1.);
-            return rate * rate + w * w - s * rate / Z;
-          };
-          // Newton's method with a derivative by a difference.
-          Complex l = lambda;
-          for (unsigned int i = 0; i < 20; ++i)
-            l -= 2. * equation(l) / (equation(l + 1.) - equation(l - 1.));
-          const Complex stated =
-            is_implicit ? implicit_step_error(lambda, dt, by_slope)
-                        : explicit_step_error(lambda, dt, .5, by_slope);
-          const std::string name = is_implicit ? "implicit" : "explicit";
-          std::printf("%s, lagged friction, dt %.1e s: adds %.4f 1/s, stated "
-                      "%.4f 1/s\n",
-                      name.c_str(),
-                      dt,
-                      l.real() - lambda.real(),
-                      stated.real());
-          check_close(stated.real(),
-                      l.real() - lambda.real(),
-                      .02,
-                      name + ": growth with lagged friction");
-          check_below(std::abs(stated - l + lambda),
-                      .01 * std::abs(stated),
-                      name + ": pair with lagged friction");
-        }
+      for (const double s : {1e3, -1e3})
+        for (const double dt : {2e-6, 1e-6, 5e-7})
+          {
+            const Complex lambda(s / 2., std::sqrt(w * w - s * s / 4.)),
+              by_slip           = s * lambda / (2. * lambda - s);
+            const auto equation = [&](const Complex l) {
+              const Complex Z = std::exp(l * dt), lag = s > 0. ? 1. / Z : 1.;
+              if (!is_implicit)
+                return (Z - 2. + 1. / Z) / (dt * dt) + w * w -
+                       s * lag * (Z - 1.) / dt;
+              const Complex rate = 2. / dt * (Z - 1.) / (Z + 1.);
+              return rate * rate + w * w - s * rate * lag;
+            };
+            // Newton's method with a derivative by a difference.
+            Complex l = lambda;
+            for (unsigned int i = 0; i < 20; ++i)
+              l -= 2. * equation(l) / (equation(l + 1.) - equation(l - 1.));
+            const Complex stated =
+              is_implicit
+                ? implicit_step_error(lambda, dt, s > 0. ? by_slip : 0.)
+                : explicit_step_error(lambda,
+                                      dt,
+                                      .5,
+                                      s > 0. ? by_slip : 0.,
+                                      s > 0. ? 0. : by_slip);
+            const std::string name =
+              std::string(is_implicit ? "implicit" : "explicit") +
+              (s > 0. ? ", lagged friction" : ", rising friction");
+            std::printf("%s, dt %.1e s: adds %.4f 1/s, stated "
+                        "%.4f 1/s\n",
+                        name.c_str(),
+                        dt,
+                        l.real() - lambda.real(),
+                        stated.real());
+            check_close(
+              stated.real(), l.real() - lambda.real(), .02, name + ": growth");
+            check_below(std::abs(stated - l + lambda),
+                        .01 * std::abs(stated),
+                        name + ": pair");
+          }
   }
 } // namespace
 

@@ -76,6 +76,16 @@ namespace squeal
       return d;
     }
 
+    /** A mass of 1 kg on a spring of 1 N/m along y, pressed on the belt. */
+    inline ReducedContactModel
+    oscillator(const double dt)
+    {
+      ReducedContactModel m = rigid_block(1., dt);
+      m.omega_squared[1]    = 1.;
+      m.load[0]             = -1.;
+      return m;
+    }
+
     /** mu from @p at_rest down to @p kinetic, by exp(-v / @p decay_speed). */
     inline ContactParameters
     falling(const double kinetic,

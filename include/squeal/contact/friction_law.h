@@ -56,8 +56,17 @@ namespace squeal
      * where the coefficient does not fall, and where all slip rates have one.
      */
     double steepest_fall(const double slip_rate) const;
-    /** As steepest_fall(), the largest dmu/d|v_t|. */
-    double steepest_rise(const double slip_rate) const;
+    /** Between two slip rates, m/s. */
+    struct Range
+    {
+      double first, last;
+    };
+    /** Whether the coefficient rises with the slip rate anywhere. */
+    bool rises() const;
+    /** The longest range about @p slip_rate in which the coefficient nowhere
+     * falls: @p slip_rate alone where it falls on both sides, or falls behind
+     * rest. */
+    Range rising_range(const double slip_rate) const;
     /** What the tangential force of a node that sticks is limited by. */
     double at_rest() const;
 
@@ -77,6 +86,8 @@ namespace squeal
                     const double duration) const;
     /** mu of a node that remembers @p memory. */
     double recalled(const double memory) const;
+    /** Slip rates in which mu of such a node is that of its next step. */
+    Range range_recalled(const double memory) const;
     //@}
 
     /** Nodes that slip with the sliding speed @p speed, m/s, times their @p
@@ -85,8 +96,6 @@ namespace squeal
                              const double           speed) const;
 
   private:
-    double steepest(const double sign, const double slip_rate) const;
-
     ContactParameters::FrictionLaw kind;
     double                         kinetic, static_excess, decay_speed;
     std::vector<double>            speeds, coefficients;
@@ -108,6 +117,8 @@ namespace squeal
     const FrictionLaw &of(const unsigned int node) const;
     /** Whether no law depends on the slip rate. */
     bool is_constant() const;
+    /** Whether some law somewhere rises with the slip rate. */
+    bool rises() const;
     /** FrictionLaw::is_constant_in_slip() of every law. */
     bool is_constant_in_slip() const;
     /** mu of @p n_nodes nodes that stick. */

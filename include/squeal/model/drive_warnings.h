@@ -15,10 +15,9 @@ namespace squeal
    * the start, and a trigger while a load still comes on. */
   void warn_of_drive(const Parameters &parameters, RunLog &log);
 
-  /** Warns where friction falls or rises with the slip rate and the steps of
-   * the reduced integrator are so short that its lag holds no node, see
-   * lag_limit(); with the full integrators where it rises at all. @p steady is
-   * that of @p pressed. */
+  /** Warns where friction falls with the slip rate and the steps of the reduced
+   * integrator are so short that its lag holds no node, see lag_limit(). @p
+   * steady is that of @p pressed. */
   void warn_of_short_lag(const PressedModel  &pressed,
                          const SteadySliding &steady,
                          const Parameters    &parameters,

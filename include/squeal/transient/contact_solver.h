@@ -5,6 +5,7 @@
 #include <squeal/base/named_numbers.h>
 #include <squeal/contact/contact_geometry.h>
 #include <squeal/transient/kept_inverse.h>
+#include <squeal/transient/rising_friction.h>
 
 #include <Eigen/Dense>
 
@@ -25,6 +26,9 @@ namespace squeal
     double          speed;    /**< that those of nodes are measured by, m/s */
     /** mu >= 0 of every node; empty: `friction` at all of them. */
     Eigen::VectorXd nodal_friction = {};
+    /** Of every node, for those whose friction follows the slip rate of this
+     * step instead; empty: of none. */
+    std::vector<RisingFriction> rising = {};
 
     double
     friction_at(const unsigned int node) const
@@ -46,7 +50,8 @@ namespace squeal
    * Delassus operator W: with the motion u = a - W lambda,
    *   0 <= lambda_n complementary to g = g_0 - u_n >= 0,
    *   |lambda_t| <= mu lambda_n, slip s = duration V + (u - u_previous)_t
-   *   parallel to lambda_t, and none where |lambda_t| < mu lambda_n.
+   *   parallel to lambda_t, and none where |lambda_t| < mu lambda_n;
+   * mu is given, or that of the slip rate |s| / duration where it rises.
    *
    * Semi-smooth Newton iterations (Alart and Curnier 1991). The inverse of the
    * Jacobian of one contact state is kept; nodes whose status or slip direction

@@ -14,12 +14,15 @@ namespace squeal
   struct NodeRows
   {
     ContactStatus   status    = ContactStatus::open;
-    double          friction  = 0.;
+    double          friction  = 0.; /**< d|lambda_t| / dp at this x */
     double          turning   = 0.; /**< mu p / |x|: how x turns the force */
+    double          along     = 0.; /**< d|lambda_t| / d|x| */
     Eigen::Vector2d direction = Eigen::Vector2d::Zero(); /**< of x */
 
     /** Whether one Jacobian serves both. */
     bool is_near(const NodeRows &other) const;
+    /** Whether the force along x is given by the normal one alone. */
+    bool is_limited() const;
   };
 
   /**
@@ -30,8 +33,9 @@ namespace squeal
    *
    * Rows of open nodes are those of the identity. At a slipping node the row
    * along its direction d, less mu times the normal row, holds that node's
-   * unknowns alone: x_d = mu x_n + r_d - mu r_n. So open nodes and these
-   * unknowns are eliminated before the factorisation. What is kept is the
+   * unknowns alone where the force along d is limited: x_d = mu x_n + r_d - mu
+   * r_n. So open nodes and these unknowns are eliminated before the
+   * factorisation. What is kept is the
    * factor; once it has been applied often the whole inverse, which is faster
    * to apply and dearer to get.
    */

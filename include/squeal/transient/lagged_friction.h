@@ -7,13 +7,14 @@
 namespace squeal
 {
   /**
-   * Gives every step the coefficients of friction of a drive. Where they depend
-   * on the slip rate, a node that slipped in the last step, or was open, has
+   * Gives every step the coefficients of friction of a drive. Where they fall
+   * with the slip rate, a node that slipped in the last step, or was open, has
    * the one at its slip rate then, and one that stuck has the one at rest:
    * within a step Coulomb's law has fixed coefficients. A node that slips
    * sticks again where the coefficient at its last slip rate can hold it, so
-   * that the static one takes hold of nothing that moves. First order in the
-   * step.
+   * that the static one takes hold of nothing that moves. Where they rise about
+   * that slip rate they are those of the slip rate of the step itself, as far
+   * as they nowhere fall. First order in the step.
    */
   class LaggedFriction
   {
@@ -43,6 +44,7 @@ namespace squeal
     TransientDrive::Function            speed;
     std::shared_ptr<const FrictionLaws> laws;
     bool            by_slip_rate; /**< whether some law depends on it */
+    bool            rises;        /**< whether some law rises with it */
     Eigen::VectorXd ratio, memory;
   };
 } // namespace squeal

@@ -17,12 +17,11 @@ namespace squeal
   {
     Eigen::VectorXcd lambda; /**< sigma + i omega, omega >= 0, ascending in
                                 omega */
-    /** Rows l_k: l_k (q; v; lambda across the sliding at the nodes that slip
-     * with friction, along the whole face at those that friction damps at rest)
-     * is the amplitude of pair k in a motion, scaled so that an
-     * eigenmotion of kinetic energy amplitude 1 J has amplitude 1. Where two
-     * pairs have coalesced the scale is lost in rounding, but their amplitudes
-     * still grow by lambda. */
+    /** Rows l_k: l_k (q; v; the forces of `rows_viscous`, less what the normal
+     * forces limit them by) is the amplitude of pair k in a motion, scaled so
+     * that an eigenmotion of kinetic energy amplitude 1 J has amplitude 1.
+     * Where two pairs have coalesced the scale is lost in rounding, but their
+     * amplitudes still grow by lambda. */
     Eigen::MatrixXcd left;
     /** Columns: the eigenmotions of amplitude 1, left * right has a unit
      * diagonal. */
@@ -31,14 +30,19 @@ namespace squeal
      * right angles, at a coalescence the most that double precision tells
      * apart, 4.5e15. */
     Eigen::VectorXd condition;
-    /** What a relative change of all slopes dmu/d|v_t| adds to each eigenvalue,
-     * over it, 1/s; zero with constant friction. */
+    /** What a relative change of all slopes dmu/d|v_t| < 0 adds to each
+     * eigenvalue, over it, 1/s; zero where friction nowhere falls. */
     Eigen::VectorXcd by_slope;
-    /** What lambda across the sliding has part in its own rate, 1/s; columns of
-     * nodes at rest are zero. */
-    Eigen::MatrixXd across;
-    /** Which of all nodal forces those are. */
-    std::vector<int> rows_across;
+    /** The same of a relative change of what dashpots the nodes are: across
+     * the sliding, and along it where friction rises. */
+    Eigen::VectorXcd by_viscosity;
+    /** Which of all nodal forces are viscous ones: across the sliding at the
+     * nodes that slip with friction, along it at those whose friction rises
+     * with the slip rate. */
+    std::vector<int> rows_viscous;
+    /** Of each, the mu by which the normal force of its node adds to it: along
+     * the sliding. */
+    Eigen::VectorXd limit_by_normal;
 
     /** Amplitudes of all pairs in what a motion is away from @p steady. */
     Eigen::VectorXcd amplitudes(const SteadySliding   &steady,
@@ -53,11 +57,11 @@ namespace squeal
    * sliding mu lambda_n and p_0 dmu/d|v_t| times the
    * slip rate there, across it mu p_0/|V| times the slip rate across. Nodes of
    * a pair at rest whose friction rises from zero have p_0 dmu/d|v_t| times the
-   * slip rate in both directions, with what it does to the flexibility.
+   * slip rate in both directions.
    *
-   * The slip rate that the slope sees leaves out what the slope itself does to
-   * the massless flexibility G: with a falling law that alone would grow at the
-   * rate 1/(G p_0 |dmu/dv|), which no body with mass does.
+   * Where friction falls, the slip rate that the slope sees leaves out what the
+   * slope itself does to the massless flexibility G: that alone would grow at
+   * the rate 1/(G p_0 |dmu/dv|), which no body with mass does.
    */
   LinearizedMotion linearize(const ReducedContactModel &model,
                              const SteadySliding       &steady,

@@ -8,11 +8,11 @@ namespace squeal
 {
   /** @name What steps of @p dt seconds add to lambda = sigma + i omega of the
    * linear motion, 1/s, to leading order in dt: doc/theory/steady_sliding.md.
-   * @p by_slope: as in LinearizedMotion. A coefficient of friction that depends
-   * on the slip rate is that of the step before. */
+   * @p by_slope, @p by_viscosity: as in LinearizedMotion. A coefficient of friction that falls
+   * with the slip rate is that of the step before. */
   //@{
   /** Of the reduced integrator, for every pair of @p linear: contact forces
-   * that are linear within a step, and slip rates across the sliding that are
+   * that are linear within a step, and slip rates of viscous forces that are
    * those of the middle of a step. */
   Eigen::VectorXcd reduced_step_error(const ReducedContactModel &model,
                                       const LinearizedMotion    &linear,
@@ -30,7 +30,8 @@ namespace squeal
     const std::complex<double> lambda,
     const double               dt,
     const double               beta_2,
-    const std::complex<double> by_slope = 0.);
+    const std::complex<double> by_slope     = 0.,
+    const std::complex<double> by_viscosity = 0.);
   //@}
 } // namespace squeal
 

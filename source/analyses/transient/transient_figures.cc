@@ -70,8 +70,11 @@ namespace squeal
               case Integrator::implicit:
                 return implicit_step_error(lambda, t.step(), by_slope);
               case Integrator::explicit_:
-                return explicit_step_error(
-                  lambda, t.step(), t.beta_2, by_slope);
+                return explicit_step_error(lambda,
+                                           t.step(),
+                                           t.beta_2,
+                                           by_slope,
+                                           prepared.linear.by_viscosity[k]);
               case Integrator::reduced:
                 return std::complex<double>(reduced[k]);
               }

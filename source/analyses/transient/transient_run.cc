@@ -56,9 +56,10 @@ namespace squeal
     only(const LinearizedMotion &all, const std::vector<unsigned int> &pairs)
     {
       LinearizedMotion result;
-      result.lambda      = all.lambda(pairs);
-      result.left        = all.left(pairs, Eigen::all);
-      result.rows_across = all.rows_across;
+      result.lambda          = all.lambda(pairs);
+      result.left            = all.left(pairs, Eigen::all);
+      result.rows_viscous    = all.rows_viscous;
+      result.limit_by_normal = all.limit_by_normal;
       return result;
     }
   } // namespace
