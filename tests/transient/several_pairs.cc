@@ -10,7 +10,6 @@
 #include "worst.h"
 
 #include <squeal/base/run_log.h>
-#include <squeal/model/drive_warnings.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -160,20 +159,6 @@ namespace
                 claim + "undisturbed it stays in steady sliding");
   }
 
-  unsigned int
-  warnings_of_lag(const Pressed &r, Parameters p, const double rise)
-  {
-    auto &law                 = p.scene.contacts[1];
-    law.friction_law          = ContactParameters::FrictionLaw::table;
-    law.friction_speeds       = {0., 1.};
-    law.friction_coefficients = {0., rise};
-    p.transient.time_step     = 1e-12;
-    std::ostringstream text;
-    RunLog             log(true, text);
-    warn_of_short_lag(r.pressed, r.steady, p, log);
-    return log.warnings().size();
-  }
-
   void
   abutment()
   {
@@ -223,8 +208,6 @@ namespace
         check_below(
           cone.largest(), 1e-6, claim + "within its cone of friction");
         stays_there(r, claim);
-        check(warnings_of_lag(r, r.p, 1.) > warnings_of_lag(r, r.p, 0.),
-              claim + "friction that rises there is warned of");
       }
   }
 
