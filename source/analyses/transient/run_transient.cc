@@ -203,7 +203,9 @@ namespace squeal
      * differ by more than what the reduction leaves out: their contacts are
      * then not the same. */
     void
-    warn_of_other_contact(const TransientFigures &f, RunLog &log)
+    warn_of_other_contact(const TransientFigures &f,
+                          const bool              is_damped_at_cut_off,
+                          RunLog                 &log)
     {
       for (const BranchResult &b : f.branches)
         {
@@ -217,8 +219,12 @@ namespace squeal
               " 1/s in the motion linearised about steady sliding and " +
               rounded_text(b.sigma_cea, 4) +
               " 1/s in the eigenvalue analysis, which the reduction does not "
-              "explain: in time springs of the contact have no damping, and "
-              "tangential ones act in series with the slip");
+              "explain: " +
+              (is_damped_at_cut_off
+                 ? "'Transient/Cut-off damping' acts in time alone, "
+                 : "") +
+              "in time springs of the contact have no damping, and tangential "
+              "ones act in series with the slip");
         }
     }
 
@@ -263,7 +269,7 @@ namespace squeal
       const std::string animation =
         write_animation(context, model, prepared, record, motion);
       log_pairs(context.log, tables.branches);
-      warn_of_other_contact(f, context.log);
+      warn_of_other_contact(f, p.transient.cut_off_damping > 0., context.log);
       if (const std::string text = text_of_moment(f); !text.empty())
         context.log.warning(text);
       warn_of_rising_rms(f, context.log);
