@@ -184,7 +184,7 @@ set xrange [{table[0, 0]:.3f}:{table[-1, 0]:.3f}]
 set xtics 0.02
 set ytics auto
 set logscale y
-set yrange [*<0.05:*]
+set yrange [*:*]
 set ylabel "amplitude, um"
 plot $data index {2 * i} using 1:(1e6*$2) with lines lw 2 lc rgb "#0072b2" \\
        title "(0,{m}+)", \\
