@@ -32,6 +32,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/scratch_directory.cc
     source/base/sealed_file.cc
     source/base/sparse_matrix.cc
+    source/base/standard_streams.cc
     source/base/state_files.cc
     source/base/stop_request.cc
     source/base/stop_signals.cc

@@ -3,6 +3,7 @@
 #include <squeal/base/blas_kernels.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
+#include <squeal/base/standard_streams.h>
 #include <squeal/results/compare.h>
 #include <squeal/run/command_line.h>
 #include <squeal/scene/check_meshes.h>
@@ -10,8 +11,6 @@
 #include <squeal/scene/modulus_table.h>
 
 #include <deal.II/base/mpi.h>
-
-#include <cblas.h>
 
 #include <iostream>
 
@@ -100,6 +99,8 @@ namespace
           throw InputError("give one parameter file; see squeal --help");
         run_file(line, is_root);
       }
+    if (is_root)
+      require_printed(line.action == "run" ? "; run.log has every line" : "");
   }
 
   /**
@@ -125,18 +126,20 @@ namespace
 int
 main(int argc, char **argv)
 {
+  occupy_closed_streams();
   blas_kernels::start_again_with_widest(argv);
   keep_single_processes_apart();
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const bool                               is_root =
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  // Threads of the BLAS never multiply with ranks or other work on the machine.
-  const char *threads = std::getenv("SQUEAL_THREADS");
-  openblas_set_num_threads(threads ? std::max(1, std::atoi(threads)) : 1);
   keep_freed_memory();
   return run_guarded(
     is_root,
-    [&]() { act(read_command_line(argc, argv, actions), is_root); },
+    [&]() {
+      // They never multiply with ranks or other work on the machine.
+      blas_kernels::start_threads(threads_of_rank());
+      act(read_command_line(argc, argv, actions), is_root);
+    },
     []() {
       int n_ranks = 1;
       MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);

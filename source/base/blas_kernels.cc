@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <cblas.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 namespace squeal
@@ -19,6 +20,10 @@ namespace squeal
     namespace
     {
       constexpr const char *variable = "OPENBLAS_CORETYPE";
+
+      /** What OpenBLAS maps a thread on x86-64, in bytes: BUFFER_SIZE of its
+       * sources, less on other processors. */
+      constexpr std::size_t work_size = std::size_t(1) << 27;
 
       /** Kernels from narrow to wide; those of one row are as wide. */
       struct Width
@@ -73,6 +78,29 @@ namespace squeal
             if (lower_case(known) == lower_case(name))
               return static_cast<int>(i);
         return -1;
+      }
+
+      /** Whether the work memory of @p n threads can be had, all at once. */
+      bool
+      has_room_for(const int n)
+      {
+        std::vector<void *> parts;
+        bool                has_room = true;
+        for (int i = 0; i < n && has_room; ++i)
+          {
+            void *const part = ::mmap(nullptr,
+                                      work_size,
+                                      PROT_READ | PROT_WRITE,
+                                      MAP_PRIVATE | MAP_ANONYMOUS,
+                                      -1,
+                                      0);
+            has_room         = part != MAP_FAILED;
+            if (has_room)
+              parts.push_back(part);
+          }
+        for (void *const part : parts)
+          ::munmap(part, work_size);
+        return has_room;
       }
     } // namespace
 
@@ -141,6 +169,33 @@ namespace squeal
       setenv(variable, best.c_str(), 1);
       if (!error)
         ::execv(self.c_str(), argv);
+    }
+
+
+
+    const char *
+    NoWorkMemory::what() const noexcept
+    {
+      return "the memory ran out at the start: OpenBLAS works in 128 MB of "
+             "address space a thread; raise the limit (ulimit -v) or set a "
+             "smaller SQUEAL_THREADS";
+    }
+
+
+
+    void
+    start_threads(const int n_threads)
+    {
+      // Threads that are there have asked for theirs as the library was loaded.
+      const int n_new = std::max(0, n_threads - openblas_get_num_threads());
+      if (!has_room_for(1 + n_new))
+        throw NoWorkMemory();
+      openblas_set_num_threads(n_threads);
+      // The buffer of this thread, by the smallest product that takes one.
+      const double a[4] = {1., 0., 0., 1.};
+      double       c[4] = {0., 0., 0., 0.};
+      cblas_dsyrk(
+        CblasColMajor, CblasLower, CblasNoTrans, 2, 2, 1., a, 2, 0., c, 2);
     }
   } // namespace blas_kernels
 } // namespace squeal

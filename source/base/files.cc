@@ -317,6 +317,11 @@ namespace squeal
     std::error_code error;
     if (fs::exists(directory, error) && !fs::is_directory(directory, error))
       throw InputError(name + " is a file: choose another Output directory");
+    if (fs::is_symlink(directory, error) && !fs::exists(directory, error))
+      throw InputError(name + " is a symbolic link to '" +
+                       fs::read_symlink(directory, error).string() +
+                       "', which does not exist: make that folder or choose "
+                       "another Output directory");
     fs::create_directories(directory, error);
     if (error)
       throw InputError("cannot create " + name + ": " + error.message());

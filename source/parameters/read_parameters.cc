@@ -113,6 +113,20 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** As in choices(TribologyParameters::Analysis), which this library does
+     * not know. */
+    const std::vector<std::string> analyses_of_tribology = {
+      "damage",
+      "segmentation",
+      "correlation",
+      "synthetic specimen",
+      "recorded history"};
+  } // namespace
+
+
+
   Parameters
   read_parameters(const std::string              &file,
                   const std::vector<std::string> &overrides)
@@ -120,6 +134,7 @@ namespace squeal
     prm::PrmTree tree = prm::read_prm_file(file);
     for (const std::string &text : overrides)
       tree.set(prm::parse_override(text));
+    prm::refuse_files_of("squeal-tribology", analyses_of_tribology, tree);
     return prm::parse_tree(std::move(tree), file);
   }
 } // namespace squeal

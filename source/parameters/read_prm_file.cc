@@ -110,12 +110,28 @@ namespace squeal
 
 
 
+      /** Refuses lines that end as on the oldest Macintosh: all are one. */
+      void
+      check_has_line_feeds(const std::string &content, const std::string &file)
+      {
+        const std::size_t first = content.find('\r');
+        if (first != std::string::npos &&
+            content.find('\n') == std::string::npos &&
+            content.find_first_not_of(" \t\r", first) != std::string::npos)
+          throw InputError(file +
+                           ": its lines end with a carriage return alone "
+                           "(CR): save it with line feeds (LF)");
+      }
+
+
+
       std::vector<LogicalLine>
       logical_lines(std::string content, const std::string &file)
       {
         if (starts_with(content, "\xef\xbb\xbf")) // byte order mark
           content.erase(0, 3);
         check_is_text(content, file);
+        check_has_line_feeds(content, file);
 
         std::vector<LogicalLine> lines;
         bool                     continues = false;
@@ -413,7 +429,10 @@ namespace squeal
                  "subsection " + in_quotes(entry_of(file.open.back().path)) +
                    " has no 'end'");
         if (is_empty)
-          throw InputError(name + ": sets no entry: the file is empty");
+          throw InputError(name + ": sets no entry: " +
+                           (trim(content).empty()
+                              ? "the file is empty"
+                              : "all of its lines are comments"));
 
         PrmTree tree = *file.included;
         for (const RawSection &section : file.dropped)

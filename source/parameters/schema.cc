@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace squeal
 {
@@ -29,6 +30,50 @@ namespace squeal
           entry.units == "none" ? "" : " (" + entry.units_text() + ")";
         return "give " + entry.allowed.words() + units +
                did_you_mean(value, entry.allowed.choices());
+      }
+
+
+
+      /** The path in a list of files whose comma takes it apart; empty if there
+       * is none: the folder that the names start from, or some neighbours in
+       * the list that are a file together. */
+      std::string
+      path_with_comma(const RawEntry &raw)
+      {
+        namespace fs                              = std::filesystem;
+        constexpr std::size_t          most_parts = 4;
+        const std::vector<std::string> names      = split(raw.value, ',');
+        std::error_code                ignored;
+        for (std::size_t i = 0; i < names.size(); ++i)
+          {
+            std::string joined = names[i];
+            if (fs::path(joined).is_relative() &&
+                raw.directory.find(',') != std::string::npos)
+              return raw.directory;
+            const std::size_t end = std::min(names.size(), i + most_parts);
+            for (std::size_t j = i + 1; j < end; ++j)
+              {
+                joined += "," + names[j];
+                if (fs::exists(fs::path(raw.directory) / joined, ignored))
+                  return joined;
+              }
+          }
+        return "";
+      }
+
+
+
+      void
+      refuse_paths_with_commas(const Allowed &allowed, const RawEntry &raw)
+      {
+        if (allowed.kind() != Allowed::Kind::file || !allowed.is_list())
+          return;
+        const std::string path = path_with_comma(raw);
+        if (!path.empty())
+          throw InputError(raw.location.text() + ": " + in_quotes(raw.path) +
+                           " is a list separated by commas: it cannot name "
+                           "files by a path with a comma, " +
+                           in_quotes(path) + "; rename it");
       }
     } // namespace
 
@@ -108,7 +153,8 @@ namespace squeal
     void
     Schema::set(const RawEntry &raw)
     {
-      const Entry                     &entry = *find(raw.path);
+      const Entry &entry = *find(raw.path);
+      refuse_paths_with_commas(entry.allowed, raw);
       const std::optional<std::string> value =
         entry.allowed.canonical(raw.value, raw.directory);
       if (!value || !entry.allowed.matches(*value))

@@ -168,5 +168,21 @@ namespace squeal
       for (const RawEntry &entry : tree.entries)
         check_entry(entry, declared, tree, schema, generic);
     }
+
+
+
+    void
+    refuse_files_of(const std::string              &program,
+                    const std::vector<std::string> &analyses,
+                    const PrmTree                  &tree)
+    {
+      const RawEntry *entry = tree.find("Analysis");
+      if (entry != nullptr &&
+          std::count(analyses.begin(), analyses.end(), entry->value) > 0)
+        throw InputError(entry->location.text() + ": 'Analysis = " +
+                         entry->value + "' is for " + program +
+                         "; ./squeal run takes the program that a file "
+                         "needs");
+    }
   } // namespace prm
 } // namespace squeal

@@ -8,12 +8,50 @@
 #include <squeal/run/command_line.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <iostream>
 #include <new>
 
 namespace squeal
 {
+  namespace
+  {
+    const std::string run_action = CommandLine().action;
+
+    void
+    take_action(CommandLine &line, const std::string &action)
+    {
+      if (line.action != run_action && line.action != action)
+        throw InputError("give one of " + line.action + " and " + action);
+      line.action = action;
+    }
+
+    /** Refuses what the action would pass over. */
+    void
+    check_words_are_used(const CommandLine &line)
+    {
+      const std::string &action    = line.action;
+      const bool         is_run    = action == run_action;
+      const bool         reads_prm = is_run || action == "--validate";
+      const auto         refuse    = [&action](const std::string &word) {
+        throw InputError("'" + word + "' has no meaning beside " + action +
+                         "; see squeal --help");
+      };
+      if (!reads_prm && !line.overrides.empty())
+        refuse("--set");
+      if (!reads_prm && action != "--compare" && !line.files.empty())
+        refuse(line.files.front());
+      if (!is_run && line.is_quiet)
+        refuse("--quiet");
+      if (action != "--compare" && line.shows_all)
+        throw InputError("'--all' has no meaning without --compare; see "
+                         "squeal --help");
+    }
+  } // namespace
+
+
+
   CommandLine
   read_command_line(const int                       argc,
                     char                          **argv,
@@ -34,15 +72,36 @@ namespace squeal
         else if (word == "--all")
           line.shows_all = true;
         else if (word == "-h")
-          line.action = "--help";
+          take_action(line, "--help");
         else if (std::count(actions.begin(), actions.end(), word) > 0)
-          line.action = word;
+          take_action(line, word);
         else if (word.size() > 1 && word[0] == '-')
           throw InputError("unknown option '" + word + "'; see squeal --help");
         else
           line.files.push_back(word);
       }
+    check_words_are_used(line);
     return line;
+  }
+
+
+
+  int
+  threads_of_rank()
+  {
+    const char *const variable = std::getenv("SQUEAL_THREADS");
+    const std::string text     = variable ? variable : "";
+    if (text.empty())
+      return 1;
+    int               number = 0;
+    const char *const end    = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || stop != end || number < 1 ||
+        number > blas_kernels::most_threads)
+      throw InputError("SQUEAL_THREADS = '" + text +
+                       "' is not allowed; give a whole number from 1 to " +
+                       std::to_string(blas_kernels::most_threads));
+    return number;
   }
 
 
@@ -62,6 +121,19 @@ namespace squeal
 
   namespace
   {
+    /** Where the memory ran out, threads of OpenBLAS may wait for theirs for
+     * ever, and an orderly end would wait for them. */
+    [[noreturn]] void
+    end_without_memory(const std::string           &text,
+                       const std::function<void()> &on_lone_error)
+    {
+      std::cout.flush();
+      std::cerr << "squeal: " << text << std::endl;
+      if (on_lone_error)
+        on_lone_error();
+      std::_Exit(3);
+    }
+
     int
     code_of(const bool                   is_root,
             const std::function<void()> &action,
@@ -88,17 +160,17 @@ namespace squeal
         {
           return fail(e.what(), 4);
         }
+      catch (const blas_kernels::NoWorkMemory &e)
+        {
+          end_without_memory(e.what(), on_lone_error);
+        }
       catch (const std::bad_alloc &)
         {
-          std::cerr << "squeal: the memory ran out, "
-                    << rounded_text(peak_memory_mb() / 1000., 2)
-                    << " GB were in use: a coarser mesh or shorter data, more "
-                       "ranks or Eigenvalues/Linear solver = out of core need "
-                       "less"
-                    << std::endl;
-          if (on_lone_error)
-            on_lone_error();
-          return 3;
+          end_without_memory(
+            "the memory ran out, " + rounded_text(peak_memory_mb() / 1000., 2) +
+              " GB were in use: a coarser mesh or shorter data, more ranks or "
+              "Eigenvalues/Linear solver = out of core need less",
+            on_lone_error);
         }
       catch (const std::exception &e)
         {

@@ -70,11 +70,12 @@ namespace squeal
     VoidChecks               result;
     std::vector<std::string> paths;
     for (const std::string &setting : settings)
-      {
-        paths.push_back(prm::parse_override(setting).path);
-        if (result.cause.empty() && !changes_no_number(paths.back()))
-          result.cause = setting;
-      }
+      paths.push_back(prm::parse_override(setting).path);
+    // Of two settings of one entry the last one counts.
+    for (std::size_t i = 0; i < paths.size() && result.cause.empty(); ++i)
+      if (!changes_no_number(paths[i]) &&
+          std::count(paths.begin() + i + 1, paths.end(), paths[i]) == 0)
+        result.cause = settings[i];
     if (result.cause.empty() || contains(paths, checks_list))
       return {};
     for (const ResultCheckParameters &check : checks)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Ends that nobody asked for: the terminal closes, nobody reads the output, a
-// limit of the shell is reached. Each leaves one line and no half results.
-// Arguments: the program, the folder of parameter files.
+// limit of the shell is reached, the screen cannot be written. Each leaves one
+// line and no half results. Arguments: the program, the folder of parameter
+// files, squeal-tribology.
 
 #include "program.h"
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-  std::string program, folder;
+  std::string program, folder, tribology;
 
   std::vector<std::string>
   short_run(const std::string &directory)
@@ -104,6 +105,84 @@ namespace
     });
     check_end(
       outcome, 128 + SIGPIPE, "SIGPIPE", "out", "a pipe without a reader");
+  }
+
+
+
+  /** The results stay, as they are whole, but the exit code tells it. */
+  void
+  screens_that_cannot_be_written()
+  {
+    const auto refused = [](const std::vector<std::string> &words,
+                            const bool                      is_closed,
+                            const std::string              &claim) {
+      const Outcome      outcome = run_program(words, [is_closed]() {
+        ::close(STDOUT_FILENO);
+        if (!is_closed)
+          ::dup2(::open("/dev/full", O_WRONLY), STDOUT_FILENO);
+      });
+      const std::string &e       = outcome.errors;
+      check(outcome.code == 2,
+            claim + ": exit code " + std::to_string(outcome.code) + ": " + e);
+      check(e.find('\n') == e.size() - 1 &&
+              e.find(is_closed
+                       ? "Bad file descriptor"
+                       : "No space left on device") != std::string::npos,
+            claim + ": one line with the reason: " + e);
+      return e;
+    };
+    for (const bool is_closed : {false, true})
+      {
+        fs::remove_all("out");
+        const std::string line =
+          refused(short_run("out"), is_closed, "the screen of a run");
+        check(line.find("run.log") != std::string::npos &&
+                text_of("out/run.log").find("results: out") !=
+                  std::string::npos &&
+                fs::exists("out/eigenvalues.csv"),
+              "the results are there and run.log has what was to be seen");
+        refused({program, "--validate", "good.prm"}, is_closed, "--validate");
+        for (const std::string &name : {program, tribology})
+          for (const char *action : {"--help", "--version", "--print-defaults"})
+            refused({name, action}, is_closed, action);
+      }
+    fs::remove_all("out");
+  }
+
+
+
+  /** OpenBLAS tries without end to get its memory, in its other threads, too,
+   * and MPI may give up before it. */
+  void
+  address_spaces()
+  {
+    unsigned int n_whole = 0, n_refused = 0;
+    for (const bool has_threads : {false, true})
+      for (rlim_t megabytes = 600; megabytes <= 1100; megabytes += 100)
+        {
+          const auto with_limit = [=]() {
+            if (has_threads)
+              unsetenv("OPENBLAS_NUM_THREADS");
+            const rlim_t        bytes = megabytes << 20;
+            const struct rlimit limit = {bytes, bytes};
+            ::setrlimit(RLIMIT_AS, &limit);
+            ::alarm(20);
+          };
+          const std::string claim =
+            "with " + std::to_string(megabytes) + " MB of address space";
+          fs::remove_all("out");
+          const Outcome run = run_program(short_run("out"), with_limit);
+          check(run.code != 128 + SIGALRM, "a run ends " + claim);
+          n_whole += run.code == 0 && fs::exists("out/eigenvalues.csv");
+          n_refused += run.code == 3 && run.errors.find("the memory ran out") !=
+                                          std::string::npos;
+          check(run_program({tribology, "--version"}, with_limit).code !=
+                  128 + SIGALRM,
+                "squeal-tribology ends " + claim);
+        }
+    check(n_whole > 0 && n_refused > 0,
+          "some runs have room enough and some end by the memory");
+    fs::remove_all("out");
   }
 
 
@@ -204,9 +283,12 @@ namespace
 int
 main(int argc, char **argv)
 {
-  check(argc == 3, "arguments: the program, the folder of parameter files");
-  program = argv[1];
-  folder  = argv[2];
+  check(argc == 4,
+        "arguments: the program, the folder of parameter files, "
+        "squeal-tribology");
+  program   = argv[1];
+  folder    = argv[2];
+  tribology = argv[3];
   std::vector<fs::path> old;
   for (const auto &entry : fs::directory_iterator("."))
     old.push_back(entry.path());
@@ -215,6 +297,8 @@ main(int argc, char **argv)
   write_text("good.prm", small_brake);
   signals_while_it_writes();
   nobody_reads();
+  screens_that_cannot_be_written();
+  address_spaces();
   file_size_limits();
   fs::remove_all("out");
   nohup();

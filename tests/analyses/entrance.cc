@@ -248,6 +248,20 @@ namespace
           "an installed launcher has no folder in front");
     unsetenv("SQUEAL_LAUNCHER");
   }
+
+
+
+  void
+  last_of_two_settings()
+  {
+    ResultCheckParameters parameters;
+    parameters.name       = "number";
+    const VoidChecks made = find_void_checks(
+      {parameters}, {"Scene/A = 2", "Overwrite = true", "Scene / A = 3"});
+    check(made.names == std::vector<std::string>{"number"} &&
+            made.cause == "Scene / A = 3",
+          "void by the one of two settings that counts: " + made.cause);
+  }
 } // namespace
 
 
@@ -267,6 +281,7 @@ main(int argc, char **argv)
   else
     {
       commands();
+      last_of_two_settings();
       checks_of_a_file();
       on_the_terminal();
     }

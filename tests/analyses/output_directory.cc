@@ -70,6 +70,21 @@ namespace
 
 
   void
+  links_without_a_target()
+  {
+    fs::remove("dangling");
+    fs::create_symlink("nowhere", "dangling");
+    check_line(run_program(
+                 {program, "--set", "Output directory = dangling", "good.prm"}),
+               2,
+               {"'dangling'", "symbolic link to 'nowhere'", "does not exist"},
+               "a link that leads nowhere");
+    check(!fs::exists("nowhere"), "and nothing is made");
+  }
+
+
+
+  void
   existing_results()
   {
     check(run_program({program, "good.prm"}).code == 0, "a first run");
@@ -251,6 +266,7 @@ main(int argc, char **argv)
   for (const char *folder : {"out", "mine", "limited", "small_disk", "stopped"})
     fs::remove_all(folder);
   write_text("good.prm", small_brake);
+  links_without_a_target();
   existing_results();
   inputs_among_results();
   unwritable_places();

@@ -117,8 +117,12 @@ namespace
     write_text("binary.prm", std::string("set A = 1\n\x89HDF\0\1\2", 17));
     refused("missing.prm", "no such file", "missing file");
     refused("folder.prm", "directory", "directory");
+    write_text("returns.prm", "# nothing\rset A = 1\r");
     refused("empty.prm", "empty", "empty file");
-    refused("comments.prm", "empty", "file of comments");
+    refused("comments.prm", "are comments", "file of comments");
+    refused("returns.prm", "carriage return", "lines without line feeds");
+    write_text("returns.prm", "set A = 1\rset B = 2\r");
+    refused("returns.prm", "carriage return", "entries without line feeds");
     refused("binary.prm", "binary.prm:2: ", "binary file");
   }
 

@@ -37,6 +37,60 @@ namespace
       check(line.find(part) != std::string::npos,
             claim + ": the line says '" + part + "': " + line);
   }
+
+
+
+  void
+  lists_of_paths_with_commas()
+  {
+    namespace fs = std::filesystem;
+    fs::create_directory("pad a,b");
+    write_text("pad a,b/damage.csv", "x_m\n");
+    refuses_entries(replaced_in(correlation_prm,
+                                "damage/damage.csv, damage/damage.csv",
+                                "damage/damage.csv, pad a,b/damage.csv"),
+                    {"test.prm:5: ", "Damage tables", "'pad a,b/damage.csv'"},
+                    "a list with a path that has a comma");
+    const fs::path here = fs::current_path();
+    fs::current_path("pad a,b");
+    refuses_entries(correlation_prm,
+                    {"Damage tables", "comma", "pad a,b'"},
+                    "a list in a folder that has a comma");
+    refuses_entries(
+      "set Analysis = recorded history\nsubsection Recorded history\n"
+      "  set Source = csv\n  set Samples = s.csv\nend\n",
+      {"Nodes"},
+      "a single path there has its own faults alone");
+    fs::current_path(here);
+  }
+
+
+
+  /** squeal knows the analyses of this program, which knows those of squeal. */
+  void
+  analyses_of_the_other_program()
+  {
+    for (const auto &[name, analysis] :
+         choices(TribologyParameters::Analysis()))
+      {
+        write_text("test.prm", "set Analysis = " + name + "\n");
+        std::string line;
+        try
+          {
+            read_parameters("test.prm");
+          }
+        catch (const InputError &error)
+          {
+            line = error.what();
+          }
+        check(line.find("is for squeal-tribology") != std::string::npos,
+              "squeal does not take 'Analysis = " + name + "': " + line);
+      }
+    for (const auto &[name, analysis] : choices(Parameters::Analysis()))
+      refuses_entries("set Analysis = " + name + "\n",
+                      {"test.prm:1: ", "is for squeal;"},
+                      "an analysis of squeal");
+  }
 } // namespace
 
 
@@ -106,6 +160,8 @@ main()
                               "set Samples = s.csv"),
                   {"Samples", "Source = clipped sine"},
                   "a table beside the generator");
+  lists_of_paths_with_commas();
+  analyses_of_the_other_program();
   refuses_entries(
     replaced_in(correlation_prm, "features.csv, again.csv", "features.csv"),
     {"Feature tables"},

@@ -2,6 +2,7 @@
 #include <squeal/base/blas_kernels.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
+#include <squeal/base/standard_streams.h>
 #include <squeal/base/unknown_choice.h>
 #include <squeal/run/command_line.h>
 #include <squeal/tribology/driver/analyses.h>
@@ -11,9 +12,6 @@
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 
-#include <cblas.h>
-
-#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -101,6 +99,7 @@ namespace
       }
     else
       run_file(line, argc, argv);
+    require_printed(line.action == "run" ? "; run.log has every line" : "");
   }
 } // namespace
 
@@ -109,14 +108,15 @@ namespace
 int
 main(int argc, char **argv)
 {
+  occupy_closed_streams();
   blas_kernels::start_again_with_widest(argv);
-  // Threads never multiply with other work on the machine.
-  const char *threads   = std::getenv("SQUEAL_THREADS");
-  const int   n_threads = threads ? std::max(1, std::atoi(threads)) : 1;
-  openblas_set_num_threads(n_threads);
-  cv::setNumThreads(n_threads);
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   keep_freed_memory();
-  return run_guarded(
-    true, [&]() { act(read_command_line(argc, argv, actions), argc, argv); });
+  return run_guarded(true, [&]() {
+    // They never multiply with other work on the machine.
+    const int n_threads = threads_of_rank();
+    blas_kernels::start_threads(n_threads);
+    cv::setNumThreads(n_threads);
+    act(read_command_line(argc, argv, actions), argc, argv);
+  });
 }

@@ -2,6 +2,7 @@
 #ifndef squeal_base_blas_kernels_h
 #define squeal_base_blas_kernels_h
 
+#include <new>
 #include <set>
 #include <string>
 
@@ -42,6 +43,31 @@ namespace squeal
      * again.
      */
     void start_again_with_widest(char **argv);
+
+    /** The most threads that Debian's OpenBLAS works with. */
+    constexpr int most_threads = 64;
+
+    /** There is no memory for OpenBLAS to work in. */
+    class NoWorkMemory : public std::bad_alloc
+    {
+    public:
+      /** One line. */
+      const char *what() const noexcept override;
+    };
+
+    /**
+     * Sets the number of threads and lets OpenBLAS take the memory that it
+     * works in, which it keeps: 128 MB of address space a thread, untouched
+     * and so without cost until it is used. OpenBLAS itself takes it at its
+     * first product and tries without end where there is none, as under a limit
+     * of the shell (ulimit -v). To be called before anything is computed.
+     *
+     * Throws NoWorkMemory. Threads of the library may then hang at the end of
+     * the process: it has to end by std::_Exit().
+     *
+     * @param n_threads  from 1 to most_threads
+     */
+    void start_threads(int n_threads);
   } // namespace blas_kernels
 } // namespace squeal
 

@@ -17,6 +17,13 @@ namespace squeal
     void check_names_are_known(const PrmTree &tree,
                                const Schema  &schema,
                                const Schema  &generic);
+
+    /** Throws InputError, with the location, where the entry 'Analysis' of
+     * @p tree is one of those of another @p program: what else is in the file
+     * would be unknown for no reason that the user can see. */
+    void refuse_files_of(const std::string              &program,
+                         const std::vector<std::string> &analyses,
+                         const PrmTree                  &tree);
   } // namespace prm
 } // namespace squeal
 

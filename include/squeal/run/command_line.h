@@ -23,6 +23,11 @@ namespace squeal
                                 char                          **argv,
                                 const std::vector<std::string> &actions);
 
+  /** Threads that a rank works with: SQUEAL_THREADS, 1 where it is not set.
+   * Throws InputError for what is no whole number from 1 to
+   * blas_kernels::most_threads. */
+  int threads_of_rank();
+
   /** Prints "name version (revision, build type)", the compiler and the
    * libraries. */
   void print_version(const std::string &name);

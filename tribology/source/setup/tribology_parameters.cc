@@ -3,6 +3,7 @@
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/declarations.h>
 #include <squeal/parameters/prm_tree.h>
+#include <squeal/parameters/unknown_names.h>
 #include <squeal/tribology/setup/tribology_parameters.h>
 
 #include <ostream>
@@ -73,6 +74,10 @@ namespace squeal::tribology
     prm::PrmTree tree = prm::read_prm_file(file);
     for (const std::string &text : overrides)
       tree.set(prm::parse_override(text));
+    std::vector<std::string> others;
+    for (const auto &[name, analysis] : choices(Parameters::Analysis()))
+      others.push_back(name);
+    prm::refuse_files_of("squeal", others, tree);
 
     TribologyParameters       parameters;
     const prm::SectionFamily &family = prm::family_named("Checks");
