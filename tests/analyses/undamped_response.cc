@@ -73,9 +73,8 @@ end
     check(table.n_rows() == 1 && table.is_missing(0, "peak") &&
             table.is_missing(0, "share"),
           "its mode has no peak and no share");
-    const auto values =
-      read_csv("out/frequency_response.csv").reals("real");
-    const double f[] = {100., 700. / 3., 1100. / 3., 500.};
+    const auto   values = read_csv("out/frequency_response.csv").reals("real");
+    const double f[]    = {100., 700. / 3., 1100. / 3., 500.};
     check(values.size() == 4, "as many responses as frequencies");
     for (unsigned int k = 0; k < 4; ++k)
       check_close(values[k],
@@ -90,8 +89,8 @@ end
         std::string::npos,
       "and the headline names it");
     const Outcome at = run(mass, {"Frequency response/Number = 5"});
-    check(at.code == 2 && at.errors.find("Hz is the frequency of mode") !=
-                            std::string::npos,
+    check(at.code == 2 &&
+            at.errors.find("Hz is the frequency of mode") != std::string::npos,
           "a frequency of the grid at its resonance is refused: " + at.errors);
   }
 } // namespace
