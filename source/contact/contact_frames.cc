@@ -76,6 +76,7 @@ namespace squeal
       double depth = far; /**< of the point in the target, m; < 0 outside */
       Vector normal;
       double allowed = 0.; /**< of the depth's size, m */
+      double same    = 0.; /**< of two depths that count as one, m */
     };
 
     /** The largest size and bulge of the faces of a contact's source, m. */
@@ -106,24 +107,24 @@ namespace squeal
       return {most[0], most[1]};
     }
 
-    /** The nearest of the faces of this rank, with the id @p id, that the line
-     * through @p x along @p direction meets and that looks against it. */
-    Hit
-    nearest(const std::vector<TargetFace>  &targets,
+    /** All faces of this rank, with the id @p id, that the line through @p x
+     * along @p direction meets and that look against it. */
+    std::vector<Hit>
+    all_met(const std::vector<TargetFace>  &targets,
             const std::vector<std::size_t> &candidates,
             const unsigned int              id,
             const Point                    &x,
             const Vector                   &direction,
             const SourceExtent             &source)
     {
-      Hit hit;
+      std::vector<Hit> hits;
       for (const std::size_t k : candidates)
         {
           const SurfaceFace &face = targets[k].geometry;
           if (targets[k].id != id || !(face.normal() * direction < -0.5))
             continue;
           const auto place = face.project(x, direction);
-          if (!place || !(std::abs(place->distance) < std::abs(hit.depth)))
+          if (!place)
             continue;
           bool inside = true;
           for (unsigned int c = 0; c < 2; ++c)
@@ -132,33 +133,50 @@ namespace squeal
           if (!inside)
             continue;
           const Vector area = face.frame(place->unit).area_vector();
-          hit               = {place->distance,
-                               area / area.norm(),
-                               touching * std::max(source.diameter, face.diameter()) +
-                                 source.bulge + face.bulge()};
+          hits.push_back(
+            {place->distance,
+             area / area.norm(),
+             touching * std::max(source.diameter, face.diameter()) +
+               source.bulge + face.bulge(),
+             touching * face.diameter()});
         }
-      return hit;
+      return hits;
     }
 
-    /** The nearest over all ranks. */
+    /** The nearest of all ranks for each of @p n points. Cells of a round face
+     * meet at a small angle: at a point on their edge the normal is the mean of
+     * theirs, as rounding alone says which of them is nearer. */
     std::vector<Hit>
-    nearest_of_all(const std::vector<Hit> &mine, const MPI_Comm comm)
+    nearest_of_all(const std::vector<double> &mine,
+                   const std::size_t          n,
+                   const MPI_Comm             comm)
     {
-      std::vector<double> packed;
-      for (const Hit &hit : mine)
-        packed.insert(packed.end(),
-                      {hit.depth,
-                       hit.allowed,
-                       hit.normal[0],
-                       hit.normal[1],
-                       hit.normal[2]});
-      const std::vector<double> all = all_gather(packed, comm);
-      std::vector<Hit>          result(mine.size());
-      for (std::size_t k = 0; k < all.size(); k += 5)
-        if (Hit &best = result[k / 5 % mine.size()];
-            std::abs(all[k]) < std::abs(best.depth))
-          best = {
-            all[k], Point(all[k + 2], all[k + 3], all[k + 4]), all[k + 1]};
+      const std::vector<double>     packed = all_gather(mine, comm);
+      std::vector<std::vector<Hit>> met(n);
+      for (std::size_t k = 0; k < packed.size(); k += 7)
+        met[static_cast<std::size_t>(packed[k])].push_back(
+          {packed[k + 1],
+           Point(packed[k + 4], packed[k + 5], packed[k + 6]),
+           packed[k + 2],
+           packed[k + 3]});
+      std::vector<Hit> result(n);
+      for (std::size_t j = 0; j < n; ++j)
+        {
+          Hit &best = result[j];
+          for (const Hit &hit : met[j])
+            if (std::abs(hit.depth) < std::abs(best.depth))
+              best = hit;
+          Vector sum;
+          for (const Hit &hit : met[j])
+            if (std::abs(hit.depth - best.depth) <=
+                std::max(hit.same, best.same))
+              {
+                sum += hit.normal;
+                best.allowed = std::max(best.allowed, hit.allowed);
+              }
+          if (!met[j].empty())
+            best.normal = sum / sum.norm();
+        }
       return result;
     }
 
@@ -207,7 +225,7 @@ namespace squeal
       const auto tree   = dealii::pack_rtree_of_indices(boxes);
       const auto source = source_extent(d, basis, contact, around);
 
-      std::vector<Hit> hits;
+      std::vector<double> mine; // point, depth, allowed, same, normal
       for (std::size_t j = 0; j < points.size(); ++j)
         {
           dealii::BoundingBox<3> box({points[j], points[j]});
@@ -216,10 +234,19 @@ namespace squeal
           tree.query(boost::geometry::index::intersects(box),
                      std::back_inserter(near));
           std::sort(near.begin(), near.end());
-          hits.push_back(
-            nearest(targets, near, id, points[j], source_normals[j], source));
+          for (const Hit &hit :
+               all_met(targets, near, id, points[j], source_normals[j], source))
+            mine.insert(mine.end(),
+                        {double(j),
+                         hit.depth,
+                         hit.allowed,
+                         hit.same,
+                         hit.normal[0],
+                         hit.normal[1],
+                         hit.normal[2]});
         }
-      const auto all_hits = nearest_of_all(hits, d.space()->communicator());
+      const auto all_hits =
+        nearest_of_all(mine, points.size(), d.space()->communicator());
       for (std::size_t j = 0; j < points.size(); ++j)
         if (all_hits[j].depth == Hit::far)
           throw InputError(

@@ -40,6 +40,16 @@ namespace squeal
      * finer mesh leads is another one. */
     constexpr double farthest_against = 0.05;
 
+    /** Of an eigenvalue: a growth rate below is what the solver and rounding
+     * leave of 0, and its sign is chance. */
+    constexpr double resolved = 1e-10;
+
+    bool
+    grows(const ComplexPairs &pairs, const unsigned int k)
+    {
+      return pairs.sigma(k) > resolved * std::abs(pairs.lambda[k]);
+    }
+
     /** Displacements at the corners of the coarse mesh, body after body. */
     Functionals
     at_corners(const Discretization &d)
@@ -88,7 +98,7 @@ namespace squeal
     {
       std::vector<int> numbers;
       for (unsigned int k = 0; k < pairs.size(); ++k)
-        if (pairs.sigma(k) > 0.)
+        if (grows(pairs, k))
           numbers.push_back(k);
       return select_pairs(pairs, numbers);
     }
@@ -159,9 +169,11 @@ namespace squeal
     bool
     has_errors(const Model &model, const ComplexPairs &pairs)
     {
-      const Discretization *d = model.discretization();
-      return d && d->has_mesh() && can_be_solved_twice(model) &&
-             pairs.lambda.real().maxCoeff() > 0.;
+      const Discretization *d          = model.discretization();
+      bool                  some_grows = false;
+      for (unsigned int k = 0; k < pairs.size(); ++k)
+        some_grows = some_grows || grows(pairs, k);
+      return d && d->has_mesh() && can_be_solved_twice(model) && some_grows;
     }
 
     /** Errors of @p pairs against those of @p finer. */
@@ -178,11 +190,11 @@ namespace squeal
           if (likeness.col(k).maxCoeff(&i) < least_likeness)
             continue;
           // Of two partners the one that grows is that of the one that grows.
-          if (pairs.sigma(k) > 0.)
+          if (grows(pairs, k))
             i = found_again(finer.lambda, likeness.col(k));
           const Complex left = factor * (finer.lambda[i] - pairs.lambda[k]);
           result[k]          = {
-                     pairs.sigma(k) > 0.
+                     grows(pairs, k)
                        ? at_least_by_frequency(left.real(), left.imag(), pairs.lambda[k])
                        : left.real(),
             left.imag()};
@@ -196,7 +208,7 @@ namespace squeal
     {
       Eigen::VectorXcd result = all_unknown(pairs);
       for (unsigned int k = 0; k < pairs.size(); ++k)
-        if (pairs.sigma(k) > 0.)
+        if (grows(pairs, k))
           result[k] = errors.lambda[k];
       return result;
     }
@@ -319,7 +331,7 @@ namespace squeal
     for (unsigned int k = 0; k < pairs.size(); ++k)
       {
         const int i = found_again(coarser.lambda, likeness.col(k));
-        if (pairs.sigma(k) <= 0. || i < 0)
+        if (!grows(pairs, k) || i < 0)
           continue;
         result[k] = error_by_change(
           pairs.lambda[k], coarser.lambda[i], errors.lambda[k].imag(), least);
@@ -353,7 +365,7 @@ namespace squeal
                            timers);
     std::vector<int> missing;
     for (unsigned int k = 0; k < pairs.size(); ++k)
-      if (pairs.sigma(k) > 0. && std::isnan(result[k].real()))
+      if (grows(pairs, k) && std::isnan(result[k].real()))
         missing.push_back(k);
     if (!is_linear || missing.empty())
       return result;

@@ -234,6 +234,13 @@ namespace squeal
             measured[m].name + "' has " + std::to_string(places.size()) +
             " of the points in Measurement/Points: a MAC needs at least two "
             "(see Point <name>/Node)");
+        if (std::all_of(a.begin(), a.end(), [](const auto &value) {
+              return value == 0.;
+            }))
+          throw InputError(model.parameters().measurement.shapes_file +
+                           ": shape '" + measured[m].name +
+                           "' is zero at all points in Measurement/Points: it "
+                           "is like every mode and like none");
         for (Eigen::Index k = 0; k < sampled.cols(); ++k)
           {
             std::vector<std::complex<double>> b;

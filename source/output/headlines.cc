@@ -396,8 +396,28 @@ namespace squeal
                         t.text(i, "name") + ", " +
                         rounded_text(t.real(i, "peak"), 3) + " " + unit + ")");
       }
-    return texts.empty() ? "no resonance in the band"
-                         : "largest resonances: " + prm::join(texts, ", ");
+    std::vector<std::string> endless;
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      if (t.is_missing(i, "peak"))
+        {
+          const std::string text = rounded_text(t.real(i, "frequency_hz"), 5) +
+                                   " Hz (" + t.text(i, "name") + ")";
+          if (std::find(endless.begin(), endless.end(), text) == endless.end())
+            endless.push_back(text);
+        }
+    const std::size_t n_endless = endless.size();
+    endless.resize(std::min(n_endless, most_named));
+    std::vector<std::string> parts;
+    if (!texts.empty())
+      parts.push_back("largest resonances: " + prm::join(texts, ", "));
+    if (n_endless > 0)
+      parts.push_back(
+        "without damping, so that their peaks have no bound: " +
+        prm::join(endless, ", ") +
+        (n_endless > most_named
+           ? " and " + std::to_string(n_endless - most_named) + " more"
+           : ""));
+    return parts.empty() ? "no resonance in the band" : prm::join(parts, "; ");
   }
 
 

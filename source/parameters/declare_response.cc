@@ -146,8 +146,9 @@ namespace squeal
         schema.add("Minimum MAC",
                    u.minimum_mac,
                    Allowed::number(0., 1.),
-                   "MAC below which a pair counts as doubtful and is warned "
-                   "of.");
+                   "MAC, with the measured shape and with the mode it was "
+                   "followed from, below which a pair counts as doubtful and "
+                   "is warned of.");
         schema.add("Tolerance",
                    u.tolerance,
                    Allowed::positive(0.1),

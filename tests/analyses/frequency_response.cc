@@ -288,7 +288,12 @@ subsection Frequency response
             check_close(table.real(r, "difference_of_own_rel"),
                         difference / size,
                         1e-6,
-                        name + ": difference over its own size");
+                        name + ": difference over its root mean square");
+            check_close(table.real(r, "difference_of_value_rel"),
+                        difference / std::hypot(table.real(r, "direct_real"),
+                                                table.real(r, "direct_imag")),
+                        1e-4,
+                        name + ": difference over the value itself");
             worst.add(difference / size);
           }
       }

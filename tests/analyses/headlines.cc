@@ -440,7 +440,8 @@ namespace
                                       {2594., "(0,3)", Cell()}}),
                             "m/N"),
          {"resonances: 5003.0 Hz ((0,4), 9.00e-07 m/N), 1600.0 Hz ((0,0), "
-          "3.00e-07 m/N)"},
+          "3.00e-07 m/N); without damping, so that their peaks have no bound: "
+          "2594.0 Hz ((0,3))"},
          "responses name each resonance once, the largest first");
 
     const std::vector<std::string> ranges = {"mu",

@@ -2,7 +2,8 @@
 
 // A thin free ring that turns is computed with all the motions that turning
 // carries into the band, and nothing of it grows: the stress of the turning
-// keeps its waves from a critical speed. That of a thin disc is named.
+// keeps its waves from a critical speed. That of a thin disc is named. Growth
+// rates that are rounding have no error by the mesh, whatever their sign.
 
 #include "scenes.h"
 #include "worst.h"
@@ -10,6 +11,8 @@
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/model/cea_solution.h>
+#include <squeal/model/growth_errors.h>
+#include <squeal/model/second_solutions.h>
 #include <squeal/model/turning_modes.h>
 
 #include <deal.II/base/mpi.h>
@@ -147,6 +150,30 @@ namespace
     check(at != std::string::npos, "the critical speed is named: " + text);
     return std::stod(text.substr(at + name.size()));
   }
+
+  /** One pair grows, the others have rounding of either sign. */
+  void
+  check_rounding_has_no_error(Ring &ring, const CeaSolution &solution)
+  {
+    ComplexPairs pairs = solution.pairs;
+    for (unsigned int k = 0; k < pairs.size(); ++k)
+      pairs.lambda[k].real((k == 0       ? 1e-3
+                            : k % 2 == 0 ? 1e-12
+                                         : -1e-12) *
+                           std::abs(pairs.lambda[k]));
+    SecondSolutions        second;
+    const Eigen::VectorXcd errors =
+      growth_errors_by_lower_degree(*ring.model,
+                                    pairs,
+                                    PairErrors::unknown(pairs.size()),
+                                    second,
+                                    ring.timers);
+    check(pairs.size() > 2 && std::isfinite(errors[0].real()),
+          "what grows has an error by the mesh");
+    for (unsigned int k = 1; k < pairs.size(); ++k)
+      check(std::isnan(errors[k].real()),
+            "a growth rate that is rounding has none");
+  }
 } // namespace
 
 
@@ -164,6 +191,7 @@ main(int argc, char **argv)
             free_motions(*slow.model, slow.solution));
     const CeaSolution solution = solve(slow);
     check_nothing_grows(solution, "a free ring that turns does not grow");
+    check_rounding_has_no_error(slow, solution);
     check_motion(solution.pairs, still, speed, 2, -1);
     check_motion(solution.pairs, still, speed, 2, 1);
     check_motion(solution.pairs, still, speed, 3, -1);

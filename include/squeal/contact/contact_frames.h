@@ -30,8 +30,9 @@ namespace squeal
   /**
    * Frames of the @p points of @p contact. Where the target is meshed the
    * normal is that of its face where the line through the point along
-   * @p source_normals (outward unit normals of the source) meets it; of a
-   * rigid target, or the ground, it is opposite to that of the source. V is
+   * @p source_normals (outward unit normals of the source) meets it, on edges
+   * of its cells the mean of theirs, which rounding cannot change; of a rigid
+   * target, or the ground, it is opposite to that of the source. V is
    * Omega x r about the axis of the target, or the same direction everywhere,
    * as the pair's friction direction says. Directions that differ from a
    * coordinate axis by rounding are that axis. The same on every rank.

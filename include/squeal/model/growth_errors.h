@@ -49,8 +49,9 @@ namespace squeal
    *
    * @param pairs  right vectors are used
    * @param errors of the pairs, for the frequencies
-   * @return of lambda, 1/s, one a pair: NaN for those that do not grow or are
-   * not found again. Of bodies that hardly change their volume those of
+   * @return of lambda, 1/s, one a pair: NaN for those that do not grow, by more
+   * than the solver resolves, or are not found again. Of bodies that hardly
+   * change their volume those of
    * @p errors, see pair_errors_with_locking().
    */
   Eigen::VectorXcd growth_errors(const Model        &model,

@@ -31,7 +31,7 @@ namespace squeal
 
     /** MAC of every measured shape with every sampled one. Throws InputError
      * naming a measured shape that has less than two points in common with the
-     * list. */
+     * list, or is zero at all of them. */
     Eigen::MatrixXd mac(const std::vector<MeasuredShape> &measured,
                         const Eigen::MatrixXcd           &sampled) const;
 

@@ -27,6 +27,28 @@ namespace squeal
       return result;
     }
 
+    /** Of an eigenvalue, what the solver and rounding leave of a growth rate
+     * that is 0. */
+    constexpr double no_damping = 1e-10;
+
+    /** Refuses frequencies, of the grid or of the checks, at which a mode
+     * without damping answers without bound. */
+    void
+    refuse_resonances(const StateResponse       &state,
+                      const std::vector<double> &frequencies,
+                      const std::string         &entries)
+    {
+      for (unsigned int k = 0; k < state.pairs.size(); ++k)
+        for (const double f : frequencies)
+          if (const double own = state.pairs.frequency(k);
+              state.is_undamped(k) && std::abs(f - own) <= no_damping * own)
+            throw InputError(
+              entries + ": " + rounded_text(f, 8) +
+              " Hz is the frequency of mode " + state.names[k].text +
+              ", which has no damping, so that the response there has no "
+              "bound: give the scene damping or change these entries");
+    }
+
     /** Checked frequencies: in the middles of equal parts of the band. */
     std::vector<double>
     checked_frequencies(const ResponseGrid &grid, const unsigned int n)
@@ -129,6 +151,26 @@ namespace squeal
     return worst;
   }
 
+  double
+  StateResponse::worst_value() const
+  {
+    const Eigen::MatrixXd size  = size_of_functions();
+    double                worst = 0.;
+    for (const ResponseCheck &check : checks)
+      for (Eigen::Index j = 0; j < size.cols(); ++j)
+        for (Eigen::Index i = 0; i < size.rows(); ++i)
+          if (size(i, j) > 0. && check.exact(i, j) != 0.)
+            worst = worst_of(
+              worst, std::abs(check.superposed(i, j) / check.exact(i, j) - 1.));
+    return worst;
+  }
+
+  bool
+  StateResponse::is_undamped(const unsigned int k) const
+  {
+    return std::abs(pairs.sigma(k)) <= no_damping * std::abs(pairs.lambda[k]);
+  }
+
   std::string
   StateResponse::unstable() const
   {
@@ -184,6 +226,12 @@ namespace squeal
     result.pairs.left.resize(0, 0);
     modes.inverse.reset();
     return_freed_memory();
+    const auto checked = checked_frequencies(grid, f.checks);
+    refuse_resonances(result,
+                      grid.frequencies,
+                      "Eigenvalues/Lowest frequency, Highest frequency and "
+                      "Frequency response/Number");
+    refuse_resonances(result, checked, "Frequency response/Checks");
 
     const DirectResponse direct(*modes.pencil, forces, observations);
     if (f.residual != Residual::none)
@@ -209,7 +257,7 @@ namespace squeal
           residues.row(i) = response.residues(i, j).transpose();
         result.residues.push_back(residues);
       }
-    for (const double frequency : checked_frequencies(grid, f.checks))
+    for (const double frequency : checked)
       {
         Timers::Section section(context.timers, "Solve: direct check");
         const double    omega             = 2. * M_PI * frequency;

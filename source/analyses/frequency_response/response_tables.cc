@@ -149,12 +149,13 @@ namespace squeal
        {"peak",
         Type::real,
         grid.unit,
-        "of this mode alone at its own frequency",
+        "of this mode alone at its own frequency; nothing without damping",
         5},
        {"share",
         Type::real,
         "",
-        "of the sum of the magnitudes of all modes there",
+        "of the sum of the magnitudes of all modes there; nothing without "
+        "damping",
         4}}));
     for (const auto &state : states)
       for_each_pair(
@@ -170,21 +171,23 @@ namespace squeal
               const double f = state.pairs.frequency(k);
               if (f < grid.frequencies.front() || f > grid.frequencies.back())
                 continue;
+              const bool                 has_bound = !state.is_undamped(k);
               const std::complex<double> s(0., 2. * M_PI * f);
               const Eigen::ArrayXd       sizes =
                 (r.array() / (s - state.pairs.lambda.array())).abs();
               const double total = sizes.sum();
-              add_row(table,
-                      first,
-                      {k + 1,
-                       f,
-                       state.pairs.sigma(k),
-                       state.pairs.damping_ratio(k),
-                       state.names[k].text,
-                       r[k].real(),
-                       r[k].imag(),
-                       std::abs(grid.factor(f)) * sizes[k],
-                       total > 0. ? Cell(sizes[k] / total) : Cell()});
+              add_row(
+                table,
+                first,
+                {k + 1,
+                 f,
+                 state.pairs.sigma(k),
+                 state.pairs.damping_ratio(k),
+                 state.names[k].text,
+                 r[k].real(),
+                 r[k].imag(),
+                 has_bound ? Cell(std::abs(grid.factor(f)) * sizes[k]) : Cell(),
+                 has_bound && total > 0. ? Cell(sizes[k] / total) : Cell()});
             }
         });
     return table;
@@ -230,6 +233,12 @@ namespace squeal
         "",
         "over the root mean square of this response at all frequencies here; "
         "empty where that is rounding of others",
+        2},
+       {"difference_of_value_rel",
+        Type::real,
+        "",
+        "over this value itself, which is small next to antiresonances; empty "
+        "where the response is rounding of others",
         2}}));
     for (const auto &state : states)
       for_each_pair(
@@ -254,7 +263,9 @@ namespace squeal
                  b.real(),
                  b.imag(),
                  std::abs(b - a) / worst_of(check.exact.cwiseAbs()),
-                 std::isfinite(size) ? Cell(std::abs(b - a) / size) : Cell()});
+                 std::isfinite(size) ? Cell(std::abs(b - a) / size) : Cell(),
+                 std::isfinite(size) && a != 0. ? Cell(std::abs(b / a - 1.))
+                                                : Cell()});
             }
         });
     return table;

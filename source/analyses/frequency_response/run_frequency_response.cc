@@ -161,8 +161,32 @@ namespace squeal
         points[grid.responses[worst.response]].name + "' to a force at '" +
         points[grid.excitations[worst.excitation]].name +
         "' differs from direct solutions by " + rounded_text(worst.error, 2) +
-        " of its own size (difference_of_own_rel in direct_check.csv): " +
+        " of its root mean square over the checked frequencies "
+        "(difference_of_own_rel in direct_check.csv): " +
         advice(p));
+    }
+
+    /** Warns of peaks that have no bound and stay empty. */
+    void
+    warn_of_undamped_modes(RunContext          &context,
+                           const StateResponse &state,
+                           const ResponseGrid  &grid)
+    {
+      unsigned int n = 0;
+      std::string  first;
+      for (unsigned int k = 0; k < state.pairs.size(); ++k)
+        if (const double f = state.pairs.frequency(k);
+            state.is_undamped(k) && f >= grid.frequencies.front() &&
+            f <= grid.frequencies.back() && ++n == 1)
+          first = state.names[k].text + " at " + rounded_text(f, 5) + " Hz";
+      if (n > 0)
+        context.log.warning(
+          "contact state " + state.state + ": " + std::to_string(n) +
+          (n == 1 ? " mode of the band has" : " modes of the band have") +
+          " no damping (" + (n == 1 ? "" : "the first: ") + first +
+          "): peak and share in mode_participation.csv stay empty, and near "
+          "these frequencies responses grow without bound: see "
+          "'Scene/Damping/Model'");
     }
 
     void
@@ -192,6 +216,7 @@ namespace squeal
                  : advice(p)));
           else
             warn_of_weak_functions(context, state, grid);
+          warn_of_undamped_modes(context, state, grid);
         }
       for (const auto &point : p.measurement.points)
         if (universal_direction(point.direction) == 0)
@@ -244,7 +269,7 @@ namespace squeal
         }
     }
 
-    double       worst = 0., worst_of_own = 0.;
+    double       worst = 0., worst_of_own = 0., worst_value = 0.;
     std::size_t  n_checks   = 0;
     unsigned int n_modes    = 0;
     std::string  state_list = "";
@@ -252,6 +277,7 @@ namespace squeal
       {
         worst        = worst_of(worst, state.worst_check());
         worst_of_own = worst_of(worst_of_own, state.worst_function().error);
+        worst_value  = worst_of(worst_value, state.worst_value());
         n_checks += state.checks.size();
         n_modes = std::max(n_modes, state.pairs.size());
         state_list += (state_list.empty() ? "" : ", ") + state.state;
@@ -264,9 +290,12 @@ namespace squeal
       {"modes superposed", std::to_string(n_modes)},
       {"direct checks", std::to_string(n_checks)},
       {"worst difference to them",
-       n_checks ? rounded_text(worst, 2) + " of the largest response, " +
-                    rounded_text(worst_of_own, 2) + " of a response's own size"
-                : "-"},
+       n_checks
+         ? rounded_text(worst, 2) + " of the largest response, " +
+             rounded_text(worst_of_own, 2) +
+             " of the rms of a response over the checked frequencies, " +
+             rounded_text(worst_value, 2) + " of a single value of a response"
+         : "-"},
       {"unknowns", std::to_string(states.front().n_unknowns)}};
 
     HtmlReport report("Frequency responses of " + p.scene.name,
@@ -278,7 +307,8 @@ namespace squeal
       resonance_headline(participation, grid.unit) + "; " +
         (n_checks ? "superposition within " +
                       rounded_text(worst_of(worst, worst_of_own), 2) +
-                      " of direct solutions; mesh error not estimated"
+                      " of direct solutions, over the largest response and "
+                      "over the rms of each; mesh error not estimated"
                   : "not checked by direct solutions"),
       context.record.figures);
     if (p.output.plots)

@@ -118,7 +118,12 @@ namespace squeal
          {"updated_hz", Type::real, "Hz", "of the fitted scene", 6},
          {"updated_error_percent", Type::real, "%", "of that", 3},
          {"mode", Type::text, "", "name in the fitted scene"},
-         {"mac", Type::real, "", "with the shape it was followed from", 3}});
+         {"mac", Type::real, "", "with the shape it was followed from", 3},
+         {"mac_measured",
+          Type::real,
+          "",
+          "with the measured shape; nothing where modes are paired by name",
+          3}});
       for (unsigned int i = 0; i < model.measured().size(); ++i)
         table.add_row({model.measured()[i].name,
                        model.measured()[i].frequency,
@@ -128,7 +133,10 @@ namespace squeal
                        fit.best.frequencies[i],
                        error_percent(model, fit.best, i),
                        fit.best.names[i],
-                       fit.best.mac[i]});
+                       fit.best.mac[i],
+                       fit.best.mac_measured.size() > 0
+                         ? or_missing(fit.best.mac_measured[i])
+                         : Cell()});
       return table;
     }
 
@@ -206,6 +214,41 @@ namespace squeal
         out << path << " = " << text << '\n';
     }
 
+    /** Whether the mode paired with a measured one is too little like it. */
+    bool
+    is_doubtful(const UpdatingParameters &p,
+                const UpdatingFit        &fit,
+                const unsigned int        i)
+    {
+      return !(fit.best.mac[i] >= p.minimum_mac) ||
+             (fit.best.mac_measured.size() > 0 &&
+              !(fit.best.mac_measured[i] >= p.minimum_mac));
+    }
+
+    void
+    warn_of_pairs(RunContext          &context,
+                  const UpdatingModel &model,
+                  const UpdatingFit   &fit)
+    {
+      const auto &p = context.parameters.updating;
+      for (unsigned int i = 0; i < model.measured().size(); ++i)
+        if (is_doubtful(p, fit, i))
+          {
+            const bool is_followed = fit.best.mac[i] >= p.minimum_mac;
+            context.log.warning(
+              "the mode paired with '" + model.measured()[i].name + "' at " +
+              rounded_text(model.measured()[i].frequency, 5) + " Hz, " +
+              fit.best.names[i] + " at " +
+              rounded_text(fit.best.frequencies[i], 5) + " Hz, is like " +
+              (is_followed ? "the measured shape"
+                           : "the mode it was followed from") +
+              " with a MAC of " +
+              rounded_text(
+                is_followed ? fit.best.mac_measured[i] : fit.best.mac[i], 2) +
+              " only, below 'Updating/Minimum MAC'");
+          }
+    }
+
     void
     warn(RunContext          &context,
          const UpdatingModel &model,
@@ -214,10 +257,17 @@ namespace squeal
       const auto &p = context.parameters.updating;
       if (!fit.has_converged)
         context.log.warning("the fit has not converged: " + fit.ended);
+      if (fit.has_no_spare)
+        context.log.warning(
+          "as many frequencies as numbers, " +
+          std::to_string(fit.numbers.size()) +
+          ": they are met whatever their errors, so that there are no "
+          "confidence intervals and nothing says how good the numbers are: "
+          "add frequencies or take numbers out");
       for (std::size_t i = 0; i < fit.numbers.size(); ++i)
         {
           const FittedNumber &n = fit.numbers[i];
-          if (!n.is_identified)
+          if (n.is_unknown || (!n.is_identified && !fit.has_no_spare))
             context.log.warning(
               "the data do not identify " + p.numbers[i].name +
               (n.partner >= 0 && std::abs(n.correlation) > 0.95
@@ -229,13 +279,7 @@ namespace squeal
                                 rounded_text(n.value, 5) +
                                 " is at a bound: its interval means little");
         }
-      for (unsigned int i = 0; i < model.measured().size(); ++i)
-        if (fit.best.mac[i] < p.minimum_mac)
-          context.log.warning("the mode paired with '" +
-                              model.measured()[i].name + "' at " +
-                              rounded_text(model.measured()[i].frequency, 5) +
-                              " Hz is like it with a MAC of " +
-                              rounded_text(fit.best.mac[i], 2) + " only");
+      warn_of_pairs(context, model, fit);
     }
 
     void
@@ -310,9 +354,11 @@ namespace squeal
         context.log.info(text.str());
       }
 
-    unsigned int n_unknown = 0;
+    unsigned int n_unknown = 0, n_doubtful = 0;
     for (const auto &n : fit.numbers)
       n_unknown += !n.is_identified;
+    for (unsigned int i = 0; i < model.measured().size(); ++i)
+      n_doubtful += is_doubtful(p.updating, fit, i);
     const std::string before = rounded_text(rms_percent(model, fit.first), 4),
                       after  = rounded_text(rms_percent(model, fit.best), 4);
     record_unknowns(model.model(), context.record);
@@ -322,11 +368,14 @@ namespace squeal
       {"evaluations", std::to_string(fit.history.size())},
       {"ended", fit.ended},
       {"numbers that the data do not identify", std::to_string(n_unknown)},
+      {"pairs of modes below the minimum MAC",
+       std::to_string(n_doubtful) + " of " +
+         std::to_string(model.measured().size())},
       {"unknowns", std::to_string(model.model().n_unknowns())}};
 
     HtmlReport report("Updating of " + p.scene.name,
                       "numbers of the scene fitted to measured frequencies");
-    report.set_verdict(fit.has_converged && n_unknown == 0
+    report.set_verdict(fit.has_converged && n_unknown == 0 && n_doubtful == 0
                          ? HtmlReport::Verdict::good
                          : HtmlReport::Verdict::bad,
                        "rms error " + before + " % before, " + after +

@@ -172,18 +172,18 @@ namespace squeal
           number.is_at_bound =
             u <= model.lower(i) + slack || u >= model.upper(i) - slack;
           // Of a number of almost no influence, the variance may overflow.
-          const bool is_unknown =
+          number.is_unknown =
             unknown[i] > 0.1 || !std::isfinite(covariance(i, i));
           const double half =
-            is_unknown ? not_known : reach * std::sqrt(covariance(i, i));
+            number.is_unknown ? not_known : reach * std::sqrt(covariance(i, i));
           number.interval_lower = number.value * std::exp(-half);
           number.interval_upper = number.value * std::exp(half);
           if (!std::isfinite(number.interval_upper)) // tells nothing
             number.interval_lower = number.interval_upper = not_known;
-          number.is_identified =
-            !is_unknown && !(2. * half > model.upper(i) - model.lower(i));
-          number.partner     = -1;
-          number.correlation = 0.;
+          // Without an interval nothing says that it is.
+          number.is_identified = 2. * half <= model.upper(i) - model.lower(i);
+          number.partner       = -1;
+          number.correlation   = 0.;
           for (unsigned int j = 0; j < n; ++j)
             if (const double scale =
                   std::sqrt(covariance(i, i) * covariance(j, j));
@@ -218,6 +218,8 @@ namespace squeal
     fit.best    = problem.history[problem.best];
     fit.history = std::move(problem.history);
     fit.numbers = statistics(model, parameters, fit.best);
+    fit.has_no_spare =
+      fit.best.residuals.size() == Eigen::Index(model.n_numbers());
     return fit;
   }
 } // namespace squeal

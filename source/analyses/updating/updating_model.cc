@@ -274,8 +274,7 @@ namespace squeal
 
   std::vector<int>
   UpdatingModel::first_pairing(const ComplexPairs             &pairs,
-                               const std::vector<std::string> &names,
-                               Eigen::VectorXd                &mac) const
+                               const std::vector<std::string> &names) const
   {
     std::vector<std::vector<double>> costs(
       data.size(), std::vector<double>(pairs.size(), no_partner));
@@ -293,10 +292,7 @@ namespace squeal
     for (std::size_t i = 0; i < data.size(); ++i)
       {
         if (partner[i] >= 0 && costs[i][partner[i]] < no_partner)
-          {
-            mac[i] = points ? 1. - costs[i][partner[i]] : 1.;
-            continue;
-          }
+          continue;
         std::string known;
         for (unsigned int k = 0; k < pairs.size(); ++k)
           known += (k ? "; " : "") + names[k] + " at " +
@@ -306,6 +302,31 @@ namespace squeal
                          "' or is left for it; there are " + known);
       }
     return partner;
+  }
+
+  Eigen::VectorXd
+  UpdatingModel::mac_of(const ComplexPairs &pairs) const
+  {
+    return points
+             ? Eigen::VectorXd(
+                 points->mac(shapes, points->sample(pairs.right)).diagonal())
+             : Eigen::VectorXd();
+  }
+
+  void
+  UpdatingModel::warn_of_first(const UpdatingEvaluation &first) const
+  {
+    const double minimum = context.parameters.updating.minimum_mac;
+    for (Eigen::Index i = 0; i < first.mac_measured.size(); ++i)
+      if (!(first.mac_measured[i] >= minimum))
+        context.log.warning(
+          "at the start the measured shape '" + data[i].name + "' (" +
+          rounded_text(data[i].frequency, 5) + " Hz) is paired with " +
+          first.names[i] + " at " + rounded_text(first.frequencies[i], 5) +
+          " Hz, which is like it with a MAC of " +
+          rounded_text(first.mac_measured[i], 2) +
+          " only, below 'Updating/Minimum MAC': where they are not the same "
+          "mode, it pulls the numbers away from their values");
   }
 
   std::vector<int>
@@ -421,11 +442,12 @@ namespace squeal
 
     UpdatingEvaluation result;
     result.logarithms = logarithms;
-    result.mac.resize(data.size());
+    result.mac        = Eigen::VectorXd::Ones(data.size());
     const std::vector<int> partner =
-      is_first ? first_pairing(solution.pairs, names, result.mac)
+      is_first ? first_pairing(solution.pairs, names)
                : next_pairing(*modes.pencil, solution.pairs, result.mac);
     const ComplexPairs pairs = select_pairs(solution.pairs, partner);
+    result.mac_measured      = mac_of(pairs);
     modes.inverse.reset();
     return_freed_memory();
     const Eigen::MatrixXcd change =
@@ -448,6 +470,8 @@ namespace squeal
         best      = result.objective();
         reference = pairs.right;
       }
+    if (is_first)
+      warn_of_first(result);
     is_first = false;
     return result;
   }

@@ -67,10 +67,16 @@ namespace squeal
     /** The function that superposition is farthest off for its own size. */
     struct WorstFunction
     {
-      double       error    = 0.; /**< over its own size */
+      double       error    = 0.; /**< over its root mean square */
       Eigen::Index response = 0, excitation = 0;
     };
     WorstFunction worst_function() const;
+    /** Largest difference of a single value over that value, of functions that
+     * are no rounding; far above the others next to an antiresonance. */
+    double worst_value() const;
+    /** Whether pair @p k has no damping but rounding: its own response at its
+     * frequency has no bound. */
+    bool is_undamped(const unsigned int k) const;
     /** Names of pairs with sigma > 0. */
     std::string unstable() const;
   };

@@ -34,8 +34,11 @@ namespace squeal
     Eigen::VectorXd residuals;      /**< sqrt(weight) (f / f_measured - 1) */
     Eigen::MatrixXd jacobian;       /**< d residuals / d logarithms */
     std::vector<std::string> names; /**< of the modes */
-    Eigen::VectorXd mac; /**< with the modes at the start, or at the last better
-                            point; at the start with the measured shapes */
+    Eigen::VectorXd mac; /**< with the modes at the last better point; 1 at the
+                            start */
+    /** With the measured shapes that the modes are paired with; empty where
+     * they are paired by name. */
+    Eigen::VectorXd mac_measured;
 
     /** Half the sum of squared residuals. */
     double objective() const;
@@ -71,11 +74,14 @@ namespace squeal
 
   private:
     std::vector<int> first_pairing(const ComplexPairs             &pairs,
-                                   const std::vector<std::string> &names,
-                                   Eigen::VectorXd                &mac) const;
+                                   const std::vector<std::string> &names) const;
     std::vector<int> next_pairing(const Pencil       &pencil,
                                   const ComplexPairs &pairs,
                                   Eigen::VectorXd    &mac) const;
+    /** MAC of each measured shape with the mode paired with it. */
+    Eigen::VectorXd mac_of(const ComplexPairs &pairs) const;
+    /** Warns of pairs that are alike by less than 'Minimum MAC'. */
+    void warn_of_first(const UpdatingEvaluation &first) const;
     /** d lambda / d logarithms of the pairs: pairs x numbers. */
     Eigen::MatrixXcd       derivatives(const Pencil          &pencil,
                                        const ComplexPairs    &pairs,
@@ -102,7 +108,10 @@ namespace squeal
     /** Ends of the confidence interval; NaN where the data do not say. */
     double interval_lower, interval_upper;
     double sensitivity; /**< norm of d residuals / d ln value */
-    bool   is_identified, is_at_bound;
+    /** Whether the data hold nothing of it, and whether they say how well it is
+     * known: neither where as many frequencies as numbers leave no error. */
+    bool   is_unknown, is_identified;
+    bool   is_at_bound;
     int    partner;     /**< number most correlated with it, or -1 */
     double correlation; /**< with that */
   };
@@ -113,7 +122,10 @@ namespace squeal
     std::vector<UpdatingEvaluation> history;
     std::vector<FittedNumber>       numbers;
     std::string                     ended; /**< why, in words */
-    bool                            has_converged = false;
+    /** As many frequencies as numbers: nothing is left to tell the errors of
+     * the data by. */
+    bool has_no_spare  = false;
+    bool has_converged = false;
   };
 
   /** Bounded least squares by NLopt (SLSQP) and its statistics. */

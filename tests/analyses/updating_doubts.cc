@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What a fit does not know: as many frequencies as numbers have no errors to
+// tell, a measured shape may belong to no mode of the scene, and one of zeros
+// to none at all. Arguments: the program.
+
+#include <squeal/results/table.h>
+
+#include "program.h"
+
+#include <array>
+#include <cmath>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  std::string program;
+
+  Outcome
+  run(const std::string &text, const std::vector<std::string> &settings = {})
+  {
+    write_text("run.prm", text);
+    std::vector<std::string> words = {program, "--set", "Overwrite = true"};
+    for (const std::string &setting : settings)
+      words.insert(words.end(), {"--set", setting});
+    words.push_back("run.prm");
+    return run_program(words);
+  }
+
+  double
+  value(const Table       &table,
+        const std::string &number,
+        const std::string &column)
+  {
+    for (std::size_t r = 0; r < table.n_rows(); ++r)
+      if (table.text(r, "number") == number)
+        return table.real(r, column);
+    return std::nan("");
+  }
+
+  /** A mass of 1 kg on a spring: (2 pi f)^2 m along each axis. */
+  const std::string mass_on_spring = R"(set Output directory = out
+subsection Scene
+  set Bodies   = mass
+  set Supports = turns
+  set Springs  = spring
+  subsection Body mass
+    set Shape = rigid
+    set Mass  = 1
+  end
+  subsection Support turns
+    set Body       = mass
+    set Kind       = components
+    set Components = rx, ry, rz
+  end
+  subsection Spring spring
+    set Body        = mass
+    set Stiffnesses = 1e6, 2e6, 3e6
+  end
+end
+subsection Eigenvalues
+  set Lowest frequency  = 20
+  set Highest frequency = 900
+end
+subsection Measurement
+  set Frequencies file = measured.csv
+end
+subsection Updating
+  set Numbers = plane, across
+  subsection Number plane
+    set Entries = Scene/Spring spring/Stiffnesses[1], Scene/Spring spring/Stiffnesses[2]
+    set Lower   = 1e5
+    set Upper   = 1e8
+  end
+  subsection Number across
+    set Entries = Scene/Spring spring/Stiffnesses[3]
+    set Lower   = 1e5
+    set Upper   = 1e8
+  end
+end
+subsection Output
+  set Plots  = false
+  set Report = false
+  set Shapes = none
+end
+)";
+
+  /** With as many frequencies as numbers the fit says nothing of its errors. */
+  void
+  test_no_spare_frequency()
+  {
+    write_text("measured.csv", "name,frequency_hz,weight\n,195,1\n,318,1\n");
+    const Outcome outcome =
+      run(replaced_in(mass_on_spring, "Report = false", "Report = true"),
+          {"Analysis = updating"});
+    check(outcome.code == 0, "the fit ends well " + outcome.errors);
+    const Table table = read_csv("out/updated_numbers.csv");
+    for (const std::string number : {"plane", "across"})
+      check(value(table, number, "identified") == 0. &&
+              std::isnan(value(table, number, "interval_lower")),
+            "no number counts as identified without a spare frequency");
+    const std::string said = unbroken(outcome.output);
+    check(said.find("as many frequencies as numbers, 2") != std::string::npos,
+          "the run warns of it");
+    check(said.find("matter of chance") == std::string::npos,
+          "but does not say that the data hold nothing of the numbers");
+    check(text_of("out/report.html").find("(not determined)") !=
+            std::string::npos,
+          "and neither does the headline");
+  }
+
+  /** Of pairing by shape: the mass on springs moves along the axes; the third
+   * measured shape is along @p c. */
+  Outcome
+  fit_with_shapes(const std::array<double, 3> &c)
+  {
+    std::string data   = "name,frequency_hz,weight\n",
+                shapes = "shape,frequency_hz,point,real,imag\n",
+                text =
+                  replaced_in(mass_on_spring,
+                              "set Numbers = plane",
+                              "set Pairing = shape\n  set Numbers = plane");
+    text += "subsection Measurement\n  set Shapes file = shapes.csv\n"
+            "  set Points = p0, p1, p2\n";
+    const std::array<std::string, 3> names{{"a", "b", "c"}};
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        const std::string f = shortest_text(
+          std::sqrt(std::array{1.5e6, 3e6, 4e6}[i]) / (2. * M_PI));
+        data += names[i] + "," + f + ",1\n";
+        for (unsigned int k = 0; k < 3; ++k)
+          shapes += names[i] + "," + f + ",p" + std::to_string(k) + "," +
+                    shortest_text(i == 2 ? c[k] : double(i == k)) + ",0\n";
+        text += "  subsection Point p" + std::to_string(i) +
+                "\n    set Body = mass\n    set Direction = " +
+                (i == 0   ? "1, 0, 0"
+                 : i == 1 ? "0, 1, 0"
+                          : "0, 0, 1") +
+                "\n  end\n";
+      }
+    write_text("measured.csv", data);
+    write_text("shapes.csv", shapes);
+    return run(text + "end\n", {"Analysis = updating"});
+  }
+
+  void
+  test_shapes_of_no_mode()
+  {
+    const std::string warned = "is like the measured shape with a MAC of";
+    const Outcome     good   = fit_with_shapes({{0., 0., 2.}});
+    check(good.code == 0 &&
+            unbroken(good.output).find(warned) == std::string::npos,
+          "measured modes are fitted without a warning " + good.errors);
+    for (const double mac :
+         read_csv("out/updated_frequencies.csv").reals("mac_measured"))
+      check_close(mac, 1., 1e-9, "they are the modes of the scene");
+
+    const Outcome other = fit_with_shapes({{1., 1., 1.}});
+    check(other.code == 0, "a shape of no mode is paired " + other.errors);
+    const Table table = read_csv("out/updated_frequencies.csv");
+    check_close(table.real(2, "mac"), 1., 1e-6, "the mode is followed well");
+    check_close(table.real(2, "mac_measured"),
+                1. / 3.,
+                1e-9,
+                "its MAC with the measured shape is told");
+    const std::string said = unbroken(other.output);
+    check(said.find(warned) != std::string::npos &&
+            said.find("at the start the measured shape 'c'") !=
+              std::string::npos,
+          "and is warned of at the start and at the end");
+    check(said.find("1 of 3") != std::string::npos,
+          "and counted on the first screen");
+  }
+
+  void
+  test_zero_shape()
+  {
+    const Outcome outcome = fit_with_shapes({{0., 0., 0.}});
+    check(outcome.code == 2 &&
+            outcome.errors.find("shapes.csv: shape 'c' is zero at all points "
+                                "in Measurement/Points") != std::string::npos,
+          "a shape of zeros is refused: " + outcome.errors);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  check(argc == 2, "argument: the program");
+  program = argv[1];
+  test_no_spare_frequency();
+  test_shapes_of_no_mode();
+  test_zero_shape();
+}
