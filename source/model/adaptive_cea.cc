@@ -92,12 +92,12 @@ namespace squeal
       unsigned int n_growing = 0, n_by_cells = 0;
       for (Eigen::Index k = 0; k < better.size(); ++k)
         {
-          const bool            grows = pairs.sigma(k) > 0.;
-          std::complex<double> &error = errors.lambda[k];
-          n_growing += grows;
+          const bool            growing = grows(pairs, k);
+          std::complex<double> &error   = errors.lambda[k];
+          n_growing += growing;
           if (!std::isnan(better[k].real()))
             error = better[k];
-          else if (grows && !std::isnan(error.real()))
+          else if (growing && !std::isnan(error.real()))
             {
               ++n_by_cells;
               error.real(at_least_by_frequency(
@@ -134,7 +134,7 @@ namespace squeal
       const Eigen::VectorXcd result =
         growth_errors(model, pairs, errors, before, least_left);
       for (unsigned int k = 0; k < pairs.size(); ++k)
-        if (pairs.sigma(k) > 0. && std::isnan(result[k].real()))
+        if (grows(pairs, k) && std::isnan(result[k].real()))
           return growth_errors_by_lower_degree(
             model, pairs, errors, second, timers);
       return result;
@@ -207,12 +207,12 @@ namespace squeal
       std::vector<double> result(errors.cell.cols(), 0.);
       for (unsigned int k = 0; k < pairs.size(); ++k)
         {
-          const bool grows = (k == excess.loudest || pairs.sigma(k) > 0.) &&
-                             excess.growth_rate > 1.,
+          const bool counts = (k == excess.loudest || grows(pairs, k)) &&
+                              excess.growth_rate > 1.,
                      detuned = excess.frequency[k] > 1.;
           for (Eigen::Index i = 0; i < errors.cell.cols(); ++i)
             {
-              if (grows)
+              if (counts)
                 result[i] +=
                   std::abs(errors.cell(k, i)) / p.growth_rate_tolerance;
               if (detuned)

@@ -44,12 +44,6 @@ namespace squeal
      * leave of 0, and its sign is chance. */
     constexpr double resolved = 1e-10;
 
-    bool
-    grows(const ComplexPairs &pairs, const unsigned int k)
-    {
-      return pairs.sigma(k) > resolved * std::abs(pairs.lambda[k]);
-    }
-
     /** Displacements at the corners of the coarse mesh, body after body. */
     Functionals
     at_corners(const Discretization &d)
@@ -297,6 +291,14 @@ namespace squeal
     const double floor =
       least_share * lambda.real() * std::abs(frequency) / std::abs(lambda);
     return std::copysign(std::max(std::abs(growth), floor), growth);
+  }
+
+
+
+  bool
+  grows(const ComplexPairs &pairs, const unsigned int k)
+  {
+    return pairs.sigma(k) > resolved * std::abs(pairs.lambda[k]);
   }
 
 

@@ -10,6 +10,10 @@ namespace squeal
   class SecondSolutions;
   class Timers;
 
+  /** Whether pair @p k grows by more than what the solver and rounding leave of
+   * a growth rate of 0. */
+  bool grows(const ComplexPairs &pairs, const unsigned int k);
+
   /** Pairs of a coarser model of the same coarse mesh. */
   struct CoarserPairs
   {
@@ -49,8 +53,8 @@ namespace squeal
    *
    * @param pairs  right vectors are used
    * @param errors of the pairs, for the frequencies
-   * @return of lambda, 1/s, one a pair: NaN for those that do not grow, by more
-   * than the solver resolves, or are not found again. Of bodies that hardly
+   * @return of lambda, 1/s, one a pair: NaN for those that do not grow, see
+   * grows(), or are not found again. Of bodies that hardly
    * change their volume those of
    * @p errors, see pair_errors_with_locking().
    */
