@@ -134,6 +134,7 @@ namespace squeal::tribology
                    {"mean_width_error_um", s.crack_width_error},
                    {"orientation_share_15deg", s.orientation}};
       json["exfoliation"] = areas_json(s.exfoliation_fraction,
+                   {"length_common_error_mm", s.crack_length_common_error},
                                        s.exfoliation_fraction_error,
                                        s.exfoliation_areas);
       json["exfoliation"]["without_rim_fraction"]  = s.unsettled_fraction;
