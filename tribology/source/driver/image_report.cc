@@ -83,8 +83,8 @@ namespace squeal::tribology
              s.crack_length,
              s.crack_length_error,
              s.crack_density,
-             s.crack_width,
-             s.crack_width_error,
+             s.n_cracks > 0 ? Cell(s.crack_width) : Cell(),
+             s.n_cracks > 0 ? Cell(s.crack_width_error) : Cell(),
              exfoliated_in_words(s),
              share_text(s.plateau_fraction, s.plateau_fraction_error),
              i.pixel_size});

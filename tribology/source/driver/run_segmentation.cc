@@ -139,6 +139,8 @@ namespace squeal::tribology
           p.mask_use == SegmentationParameters::MaskUse::beside;
         settings.tolerance = p.mask_tolerance;
         settings.placement = placement_of(m);
+        settings.smallest_area =
+          settings_of(p, m.pixel_size).areas.smallest_area;
         entry.tolerance    = p.mask_tolerance;
         if (!input.crack_marks[i].empty())
           entry.crack_rating =
