@@ -73,6 +73,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/rating.cc
     source/images/registration.cc
     source/images/ridge_filter.cc
+    source/images/scale_bar.cc
     source/images/section_profile.cc
     source/images/seen_pixels.cc
     source/images/segmentation.cc
