@@ -21,6 +21,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/driver/correlation_tables.cc
     source/driver/damage_pictures.cc
     source/driver/damage_report.cc
+    source/driver/finding_doubts.cc
     source/driver/image_report.cc
     source/driver/run_correlation.cc
     source/driver/run_damage.cc
@@ -52,6 +53,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/crack_width.cc
     source/images/decoder_messages.cc
     source/images/element_map.cc
+    source/images/image_blur.cc
     source/images/image_files.cc
     source/images/image_size.cc
     source/images/image_tags.cc
@@ -73,6 +75,8 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/rating.cc
     source/images/registration.cc
     source/images/ridge_filter.cc
+    source/images/scale_bar.cc
+    source/images/scan_rows.cc
     source/images/section_profile.cc
     source/images/seen_pixels.cc
     source/images/segmentation.cc

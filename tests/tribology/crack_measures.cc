@@ -220,6 +220,34 @@ namespace
 
 
 
+  /** What errs to one side in every image adds up over images, where single
+   * lines end does not; the same image many times is as sure as once. */
+  void
+  check_summed_lengths()
+  {
+    ImageStatistics image;
+    image.crack_length_error        = 0.5;
+    image.crack_length_common_error = 0.4;
+    const auto sum = [&image](const int n, const double share) {
+      SummedLengthError errors;
+      for (int i = 0; i < n; ++i)
+        errors.add(image);
+      return errors.deviation(share);
+    };
+    check_close(sum(1, 1.), 0.5, 1e-12, "of one image");
+    check_close(
+      sum(16, 1.), std::hypot(16. * 0.4, 4. * 0.3), 1e-12, "of sixteen");
+    check_close(sum(16, 1. / 16.), 0.5, 1e-12, "of one image sixteen times");
+    const ImageStatistics measured =
+      measure(segment(cv::Mat(64, 64, CV_32F, cv::Scalar(100.))), 1., 0.);
+    check_close(measured.crack_length_common_error,
+                measured.crack_length_error,
+                1e-12,
+                "what is missed where nothing is found is missed everywhere");
+  }
+
+
+
   void
   check_widths()
   {
@@ -411,6 +439,7 @@ main()
   check_straight_lines();
   check_circles();
   check_junction();
+  check_summed_lengths();
   check_widths();
   check_faint_cracks();
   check_wide_cracks();

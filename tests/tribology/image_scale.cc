@@ -158,6 +158,37 @@ namespace
       }
   }
 
+  /** What is no picture about a scale bar: the bar with the text beside it, or
+   * the whole label that both stand in, but not the surface around. */
+  void
+  check_place_of_scale_bar()
+  {
+    for (const bool has_label : {false, true})
+      for (const bool is_bright : {false, true})
+        {
+          cv::RNG random(3);
+          cv::Mat grey(600, 800, CV_32F);
+          random.fill(grey, cv::RNG::NORMAL, 120., 8.);
+          const cv::Rect box(592, 560, 197, 22), label(590, 530, 201, 61);
+          if (has_label)
+            grey(label).setTo(is_bright ? 0. : 255.);
+          const double ink = is_bright ? 255. : 0.;
+          grey(cv::Rect(600, 568, 180, 4)).setTo(ink);
+          cv::putText(grey, "100 um", {640, 551}, 0, 0.4, ink);
+          const cv::Rect place = scale_bar_place(grey, box),
+                         all =
+                           has_label ? label : box | cv::Rect(640, 541, 45, 10);
+          check((place & all) == all, "bar and text are left out");
+          check(place.area() < 1.4 * all.area(), "and little more");
+        }
+    cv::Mat even(600, 800, CV_32F, cv::Scalar(120.));
+    even(cv::Rect(600, 568, 180, 4)).setTo(0.);
+    check(scale_bar_place(even, {592, 560, 197, 22}).area() < 203 * 29,
+          "an even surface is no label");
+  }
+
+
+
   /** Where metadata state no size, that is noted. */
   void
   check_note_of_no_size()
@@ -189,6 +220,7 @@ main()
 {
   check_scale_bars();
   check_labelled_scale_bars();
+  check_place_of_scale_bar();
   check_size_in_metadata();
   check_note_of_no_size();
   return 0;

@@ -6,6 +6,7 @@
 // wrong ones. Argument: the program.
 #include "../analyses/program.h"
 
+#include <squeal/results/table.h>
 #include <squeal/tribology/images/agreement.h>
 #include <squeal/tribology/images/image_files.h>
 #include <squeal/tribology/images/line_length.h>
@@ -354,6 +355,17 @@ namespace
                 text_of("out/report.html").find("up to 0 mm") ==
                   std::string::npos,
               "short cracks are not excluded");
+        check(cracks.at("mean_width_um").is_null() &&
+                cracks.at("mean_width_error_um").is_null(),
+              "what is not there has no width");
+        const Table table = read_csv("out/segmentation.csv");
+        check(table.is_missing(0, "crack_width_m") &&
+                table.is_missing(0, "crack_width_error_m"),
+              "nor in the table");
+        check(run("  set Area masks = " + name + "\n")
+                  .at("exfoliation")
+                  .at("area_fraction_error") > 0.,
+              "small areas are not excluded either");
       }
   }
 

@@ -83,8 +83,8 @@ namespace squeal::tribology
              s.crack_length,
              s.crack_length_error,
              s.crack_density,
-             s.crack_width,
-             s.crack_width_error,
+             s.n_cracks > 0 ? Cell(s.crack_width) : Cell(),
+             s.n_cracks > 0 ? Cell(s.crack_width_error) : Cell(),
              exfoliated_in_words(s),
              share_text(s.plateau_fraction, s.plateau_fraction_error),
              i.pixel_size});
@@ -248,11 +248,12 @@ namespace squeal::tribology
   std::string
   cracks_in_words(const SegmentationRecord &record)
   {
-    double length = 0., square = 0., area = 0.;
+    double            length = 0., area = 0., share = 1.;
+    SummedLengthError errors;
     for (const SegmentedImage &i : record.images)
       {
         length += i.statistics.crack_length;
-        square += std::pow(i.statistics.crack_length_error, 2);
+        errors.add(i.statistics);
         area += i.statistics.observed_area;
       }
     const std::size_t n = record.images.size();
@@ -262,14 +263,14 @@ namespace squeal::tribology
       {
         length = 1e-3 * once->crack_length;
         area   = 1e-6 * once->area;
-        // The same image n times has the error of one.
-        square *= once->share;
+        share  = once->share;
         text += " that overlap, each part of the pad counted once";
       }
-    const std::string error = rounded_text(std::sqrt(square), 2) + " mm";
+    const double      deviation = errors.deviation(share);
+    const std::string error     = rounded_text(deviation, 2) + " mm";
     if (length == 0.)
       return "no crack found in " + text + " (0 +- " + error +
-             "; cracks of up to " + rounded_text(2. * std::sqrt(square), 2) +
+             "; cracks of up to " + rounded_text(2. * deviation, 2) +
              " mm are not excluded)";
     return "cracks of " + rounded_text(length, 3) + " +- " + error + " in " +
            text + ", " + rounded_text(length / area, 3) + " mm per mm^2";

@@ -4,6 +4,7 @@
 #include <squeal/parameters/checks.h>
 #include <squeal/parameters/choices.h>
 #include <squeal/tribology/driver/analyses.h>
+#include <squeal/tribology/driver/finding_doubts.h>
 #include <squeal/tribology/driver/image_report.h>
 #include <squeal/tribology/driver/segmentation_input.h>
 #include <squeal/tribology/images/cell_grid.h>
@@ -138,6 +139,8 @@ namespace squeal::tribology
         settings.is_beside =
           p.mask_use == SegmentationParameters::MaskUse::beside;
         settings.tolerance = p.mask_tolerance;
+        settings.smallest_area =
+          settings_of(p, m.pixel_size).areas.smallest_area;
         settings.placement = placement_of(m);
         entry.tolerance    = p.mask_tolerance;
         if (!input.crack_marks[i].empty())
@@ -270,35 +273,6 @@ namespace squeal::tribology
             "image with larger pixels, or mark them in 'Masks'");
       }
 
-      /** Dark bands that may be cracks too wide to be found. */
-      void
-      warn_of_bands(const Micrograph &m, const Segmentation &found) const
-      {
-        for (const ExcludedLine &band : found.excluded)
-          if (band.reason == Exclusion::wide)
-            context.log.warning(
-              m.path + ": a dark band " + rounded_text(band.width, 2) +
-              " pixels wide and " +
-              rounded_text(length_of_pixels(band.pixels), 3) +
-              " pixels long may be a crack too wide to be found: the error of "
-              "the length holds it; give the image with larger pixels, or mark "
-              "it in 'Masks'");
-      }
-
-      /** Where nothing is dark along drawn lines, or all around them, their
-       * width is not known. */
-      void
-      warn_of_lines_unseen(const Micrograph &m, const CrackMap &cracks) const
-      {
-        if (cracks.without_line > 0.)
-          context.log.warning(
-            m.path + ": along " +
-            rounded_text(cracks.without_line * m.pixel_size, 3) +
-            " um of the cracks the image shows no dark line, or one that is "
-            "wider than what is measured: the width there is not known, and "
-            "its error says so");
-      }
-
       /** The frame of an image and what is seen of it, of a section without
        * its resin. */
       SectionView
@@ -334,8 +308,12 @@ namespace squeal::tribology
                           shown.seen);
           if (!p.mosaic)
             rate(i, shown.grey, found, entry);
-          warn_of_lines_unseen(m, found.cracks);
-          warn_of_bands(m, found);
+          for (const std::string &doubt : doubts_of(found, m.pixel_size))
+            context.log.warning(m.path + ": " + doubt);
+          if (!is_drawn(i))
+            for (const std::string &doubt :
+                 doubts_of_focus(found.cracks, shown.grey, m.pixel_size))
+              context.log.warning(m.path + ": " + doubt);
           warn_of_straight_lines(i, found.cracks.centre_line);
         }
         entry.stem         = m.stem;

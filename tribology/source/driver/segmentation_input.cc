@@ -46,8 +46,29 @@ namespace squeal::tribology
 
 
 
-    /** Notes what of @p m is not seen: transparent pixels, and black borders
-     * but where the resin of a section may be black. */
+    /** A bar that is drawn into the picture is dark or bright, and no part of
+     * the specimen. */
+    void
+    leave_scale_bar(Micrograph &m)
+    {
+      const cv::Rect bar = m.scale_bar & m.frame;
+      if (bar.empty())
+        return;
+      if (m.seen.empty())
+        m.seen = cv::Mat(m.grey.size(), CV_8U, cv::Scalar(255));
+      m.seen(bar).setTo(0);
+      m.notes.push_back("the scale bar and its label, " +
+                        size_text(bar.size()) + " pixels from column " +
+                        std::to_string(bar.x) + " and row " +
+                        std::to_string(bar.y) +
+                        ", are left out: draw 'Scale bar box' around the whole "
+                        "label if more of it is to be");
+    }
+
+
+
+    /** Notes what of @p m is not seen: transparent pixels, black borders but
+     * where the resin of a section may be black, and the scale bar. */
     void
     note_unseen(Micrograph &m, const bool is_section)
     {
@@ -70,6 +91,7 @@ namespace squeal::tribology
             " % of the picture) are taken for a border and not for the "
             "specimen: cut or brighten the image if they belong to it");
         }
+      leave_scale_bar(m);
       if (m.seen.empty())
         return;
       const int n = cv::countNonZero(m.seen(m.frame));

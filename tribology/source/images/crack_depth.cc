@@ -15,11 +15,11 @@ namespace squeal::tribology
     // How probable it is that the assumption does not hold for an image. All
     // widths of the same missing light are then as likely.
     constexpr double another = 0.5;
-    // b^2 but for the bends that show: optics 0.49, pixel 1/12, smoothing and
+    // b^2 but for the optics and the bends that show: pixel 1/12, smoothing and
     // interpolation of profiles 1/3 + 1/6, what a smoothed centre line hides of
     // the bends (0.3 pixels)^2.
-    constexpr double straight_blur  = 1.163; // pixels^2
-    constexpr double blur_error     = 0.20;  // of b, relative
+    constexpr double straight_blur  = 0.673; // pixels^2
+    constexpr double focus_error    = 0.20;  // of b in focus, relative
     constexpr double peak_error     = 0.03;  // texture and noise
     constexpr double smallest_depth = 0.06, largest_depth = 0.95;
     // Depths of which probabilities are taken, and dips of a crack.
@@ -136,8 +136,11 @@ namespace squeal::tribology
 
 
   CrackDepth::CrackDepth(const std::vector<std::vector<Dip>> &cracks,
-                         const double                         bends)
-    : blur(std::sqrt(straight_blur + bends))
+                         const double                         bends,
+                         const OpticalBlur                   &optics)
+    : blur(std::sqrt(straight_blur + bends + square(optics.value)))
+    , blur_error(optics.is_measured ? optics.error * square(optics.value / blur)
+                                    : focus_error)
     , depths(logarithms_of_depths())
     , scatter(scatter_of(depths))
   {

@@ -3,6 +3,7 @@
 #include <squeal/tribology/images/crack_depth.h>
 #include <squeal/tribology/images/crack_finder.h>
 #include <squeal/tribology/images/crack_profiles.h>
+#include <squeal/tribology/images/image_blur.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -19,6 +20,10 @@ namespace squeal::tribology
     constexpr int         beside_gap   = 25; // pixels
     constexpr std::size_t shortest_gap = 6;
     constexpr float       light_in_gap = 1.F / 3.F; // of the darkness beside
+    // Pixels of a crack that tells its shape, and a variance that no edge out
+    // of focus has, pixels^2: lines narrower than the Gaussian that tells it.
+    constexpr std::size_t shortest_shape  = 20;
+    constexpr double      sharp_somewhere = -0.5;
 
     /** Variance of the centre line across itself, pixels^2, over the length of
      * a profile's mean: the median over its pixels. */
@@ -140,6 +145,28 @@ namespace squeal::tribology
 
 
 
+    /** The blur of an image by its cracks: where anything in it is sharp, that
+     * of a lens in focus, whatever soft cracks look like. */
+    OpticalBlur
+    blur_of(const cv::Mat                       &grey,
+            const std::vector<LinePiece>        &cracks,
+            const cv::Mat                       &direction,
+            const std::vector<std::vector<Dip>> &dips,
+            const double                         bends)
+    {
+      std::vector<ProfileShape> shapes;
+      for (std::size_t c = 0; c < cracks.size(); ++c)
+        if (cracks[c].pixels.size() >= shortest_shape)
+          shapes.push_back(
+            shape_of_crack(grey, cracks[c].pixels, direction, dips[c]));
+      const OpticalBlur blur = blur_of_cracks(shapes, bends);
+      return blur.is_measured && sharpest_edges(grey) < sharp_somewhere
+               ? OpticalBlur()
+               : blur;
+    }
+
+
+
     void
     fill_disc(cv::Mat &area, const cv::Point &p, const double width)
     {
@@ -208,7 +235,9 @@ namespace squeal::tribology
         for (const cv::Point &p : crack.pixels)
           dips.back().push_back(median_dip(deficits, peaks, p));
       }
-    const CrackDepth depth(dips, bends_of(centre_line));
+    const double bends = bends_of(centre_line);
+    map.blur           = blur_of(grey, cracks, map.direction, dips, bends);
+    const CrackDepth depth(dips, bends, map.blur);
     for (std::size_t c = 0; c < cracks.size(); ++c)
       {
         const bool shows_line = shows_any_line(dips[c]);

@@ -80,6 +80,8 @@ namespace squeal::tribology
         return "rim of an exfoliation";
       case Exclusion::wide:
         return "wide dark band";
+      case Exclusion::scan:
+        return "dark row of the scan";
       }
     return "";
   }

@@ -140,8 +140,12 @@ namespace squeal::tribology
         drawn.unsettled      = cv::Mat();
         drawn.darker_share   = 0.;
         drawn.bulk_is_darker = false;
+        // Who marks none has not excluded what is too small to be an area.
+        const bool has_any = cv::countNonZero(drawn.exfoliation) > 0;
         drawn.exfoliation_error =
-          drawn_outline * outline_length(drawn.exfoliation, segmentation.seen);
+          has_any ? drawn_outline *
+                      outline_length(drawn.exfoliation, segmentation.seen)
+                  : settings.smallest_area;
       }
     const PixelAreas pixels(segmentation, settings.placement);
     for (const cv::Mat &mask : masks)

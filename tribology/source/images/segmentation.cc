@@ -2,6 +2,7 @@
 #include <squeal/tribology/images/centre_line.h>
 #include <squeal/tribology/images/line_length.h>
 #include <squeal/tribology/images/line_position.h>
+#include <squeal/tribology/images/scan_rows.h>
 #include <squeal/tribology/images/segmentation.h>
 
 #include <opencv2/imgproc.hpp>
@@ -205,7 +206,8 @@ namespace squeal::tribology
           const LineJudge            &judge,
           const SeenPixels           &seen)
   {
-    const cv::Mat    grey  = mirrored_beyond(picture, seen);
+    const ScanRows   rows  = without_scan_rows(picture);
+    const cv::Mat    grey  = mirrored_beyond(rows.grey, seen);
     const CrackLines found = find_cracks(grey, settings.n_octaves, judge, seen);
     cv::Mat          line  = found.centre_line;
     const double     widest = width_of_octaves(settings.n_octaves);
@@ -224,6 +226,9 @@ namespace squeal::tribology
     // A crack may be covered there, or there are two.
     result.cracks.doubt.invented += result.cracks.bridged;
     result.excluded = found.excluded;
+    for (const PixelPath &row : rows.pieces)
+      if (seen.empty() || seen.at<uchar>(row[row.size() / 2]) != 0)
+        result.excluded.push_back({row, 0., Exclusion::scan});
     add_bands(result, line);
     if (!rims.empty())
       {

@@ -122,16 +122,21 @@ namespace squeal::tribology
         json["registration_residual_um"] = *i.residual;
       if (i.layer)
         json["third_body_layer_um"] = *i.layer;
+      // Where no crack is found nothing has a width.
+      const auto if_any = [&s](const double value) {
+        return s.n_cracks > 0 ? Json(value) : Json();
+      };
       json["observed_area_mm2"] = s.observed_area;
       json["cracks"]            = {
                    {"count", s.n_cracks},
                    {"length_mm", s.crack_length},
                    {"length_density_per_mm", s.crack_density},
                    {"area_fraction", s.crack_area / s.observed_area},
-                   {"mean_width_um", s.crack_width},
+                   {"mean_width_um", if_any(s.crack_width)},
                    {"length_error_mm", s.crack_length_error},
+                   {"length_common_error_mm", s.crack_length_common_error},
                    {"area_fraction_error", s.crack_area_error / s.observed_area},
-                   {"mean_width_error_um", s.crack_width_error},
+                   {"mean_width_error_um", if_any(s.crack_width_error)},
                    {"orientation_share_15deg", s.orientation}};
       json["exfoliation"] = areas_json(s.exfoliation_fraction,
                                        s.exfoliation_fraction_error,
@@ -191,7 +196,11 @@ namespace squeal::tribology
        {"crack_length_m", T::real, "m", "length of all centre lines", 4},
        {"crack_length_error_m", T::real, "m", "deviation of found lines", 2},
        {"crack_density_per_m", T::real, "1/m", "length over area", 4},
-       {"crack_width_m", T::real, "m", "mean along the length", 3},
+       {"crack_width_m",
+        T::real,
+        "m",
+        "mean along the length; empty: no crack",
+        3},
        {"crack_width_error_m", T::real, "m", "deviation", 2},
        {"exfoliation_fraction", T::real, "", "share of the area", 3},
        {"exfoliation_fraction_error",
@@ -213,13 +222,14 @@ namespace squeal::tribology
        {"synthetic", T::integer, "", "1: a made image"}});
     for (const SegmentedImage &i : record.images)
       {
-        const ImageStatistics &s = i.statistics;
+        const ImageStatistics &s          = i.statistics;
+        const bool             has_cracks = s.n_cracks > 0;
         table.add_row({i.stem,
                        1e-3 * s.crack_length,
                        1e-3 * s.crack_length_error,
                        1e3 * s.crack_density,
-                       1e-6 * s.crack_width,
-                       1e-6 * s.crack_width_error,
+                       has_cracks ? Cell(1e-6 * s.crack_width) : Cell(),
+                       has_cracks ? Cell(1e-6 * s.crack_width_error) : Cell(),
                        s.exfoliation_fraction,
                        s.exfoliation_fraction_error,
                        s.unsettled_fraction,

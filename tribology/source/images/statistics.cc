@@ -26,9 +26,25 @@ namespace squeal::tribology
 
 
 
-    /** Deviation of the length, pixels: of the smoothed line, of its ends, and
-     * of the finder, by what it expects to have missed and invented. */
-    double
+    /** Deviations of a length, pixels. */
+    struct LengthError
+    {
+      double own    = 0.; /**< of this image */
+      double common = 0.; /**< to one side in all images of a run */
+
+      double
+      all() const
+      {
+        return std::hypot(own, common);
+      }
+    };
+
+
+
+    /** Of the smoothed line and of the finder, by what it expects to have
+     * missed and invented, which one finder does alike in all images; of the
+     * ends. */
+    LengthError
     error_of_length(const cv::Mat     &line,
                     const cv::Mat     &lengths,
                     const FinderDoubt &doubt)
@@ -45,12 +61,14 @@ namespace squeal::tribology
           length += own;
         }
       const double relative = doubt.is_drawn ? length_error : finder_error;
-      return std::sqrt(
-        std::pow(relative * length, 2) + std::pow(end_error, 2) * n_ends +
-        (doubt.is_drawn && length > 0. ? 0. : std::pow(too_short, 2)) +
-        std::pow(doubt.unsettled, 2) + std::pow(doubt.ends, 2) +
-        std::pow(doubt_error * doubt.missed, 2) +
-        std::pow(doubt_error * doubt.invented, 2));
+      return {
+        std::sqrt(std::pow(end_error, 2) * n_ends + std::pow(doubt.ends, 2)),
+        std::sqrt(
+          std::pow(relative * length, 2) +
+          (doubt.is_drawn && length > 0. ? 0. : std::pow(too_short, 2)) +
+          std::pow(doubt.unsettled, 2) +
+          std::pow(doubt_error * doubt.missed, 2) +
+          std::pow(doubt_error * doubt.invented, 2))};
     }
 
 
@@ -138,6 +156,25 @@ namespace squeal::tribology
 
 
 
+  void
+  SummedLengthError::add(const ImageStatistics &image)
+  {
+    common += image.crack_length_common_error;
+    square += std::pow(image.crack_length_error, 2) -
+              std::pow(image.crack_length_common_error, 2);
+  }
+
+
+
+  double
+  SummedLengthError::deviation(const double share) const
+  {
+    return std::sqrt(std::pow(share * common, 2) +
+                     std::max(0., share * square));
+  }
+
+
+
   PixelAreas::PixelAreas(const Segmentation &s, const Placement &placement)
     : of_pixels(s.cracks.centre_line.size())
   {
@@ -177,8 +214,10 @@ namespace squeal::tribology
     const double pixel = areas.seen / n; // um^2, on the mean
     const double along =
       sums.length > 0. ? sums.length / sums.pixels : std::sqrt(pixel);
-    const double deviation = error_of_length(line, lengths, s.cracks.doubt);
-    r.crack_length_error   = 1e-3 * deviation * along;
+    const LengthError error = error_of_length(line, lengths, s.cracks.doubt);
+    const double      deviation = error.all();
+    r.crack_length_error        = 1e-3 * deviation * along;
+    r.crack_length_common_error = 1e-3 * error.common * along;
     // Of what was missed the width is not known: that of the narrowest lines.
     r.crack_area_error = 1e-6 * pixel * missed_width * deviation;
     if (sums.length > 0.)

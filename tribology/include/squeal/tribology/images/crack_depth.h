@@ -15,6 +15,15 @@ namespace squeal::tribology
     double peak    = 0.; /**< in its middle */
   };
 
+  /** By how much optics blur an image: a Gaussian. */
+  struct OpticalBlur
+  {
+    double value       = 0.7;   /**< deviation, pixels; a lens in focus */
+    double error       = 0.;    /**< of that, relative, where it is measured */
+    bool   is_measured = false; /**< else it is assumed, within 20 % of the
+                                     whole blur of a profile */
+  };
+
   /**
    * Splits the missing light of a crack into its width and its depth, the share
    * of the brightness that the open crack lacks.
@@ -32,8 +41,10 @@ namespace squeal::tribology
   public:
     /** One list of dips for each connected crack. @p bends is the variance
      * of a crack about a straight line along which its profiles were averaged,
-     * pixels^2; it adds to the blur. */
-    CrackDepth(const std::vector<std::vector<Dip>> &cracks, double bends);
+     * pixels^2; it adds to the blur, as does that of the @p optics. */
+    CrackDepth(const std::vector<std::vector<Dip>> &cracks,
+               double                               bends,
+               const OpticalBlur                   &optics = {});
 
     struct Width
     {
@@ -50,8 +61,9 @@ namespace squeal::tribology
      * depths in rows, blurs in columns. */
     Eigen::ArrayXXd likelihood(const Dip &dip) const;
 
-    double          blur;    // pixels, the likeliest
-    Eigen::ArrayXd  depths;  // logarithms
+    double          blur;       // pixels, the likeliest
+    double          blur_error; // of that, relative
+    Eigen::ArrayXd  depths;     // logarithms
     Eigen::MatrixXd scatter; // of cracks (columns) in images of a mean (rows)
     // Probabilities, blurs in columns: of means of the image, and of depths of
     // a crack in it before its peak is looked at.

@@ -2,6 +2,7 @@
 #ifndef squeal_tribology_images_crack_finder_h
 #define squeal_tribology_images_crack_finder_h
 
+#include <squeal/tribology/images/crack_depth.h>
 #include <squeal/tribology/images/line_objection.h>
 
 namespace squeal::tribology
@@ -41,6 +42,8 @@ namespace squeal::tribology
     /** Pixels of the centre line along which the picture shows no dark line,
      * so that their width is not known: its deviation is the largest width. */
     double without_line = 0.;
+    /** By the shapes of the cracks. */
+    OpticalBlur blur;
     /** Pixels of gaps: six and more of a line in a row that are less than a
      * third as dark as the line on both sides. */
     double bridged = 0.;

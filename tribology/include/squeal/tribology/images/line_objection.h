@@ -15,7 +15,8 @@ namespace squeal::tribology
     alone,  /**< nothing around it goes on */
     small,  /**< too little in all with what it is connected to */
     rim,    /**< runs along an area that is a feature itself */
-    wide    /**< a dark band, wider than the lines that are looked for */
+    wide,   /**< a dark band, wider than the lines that are looked for */
+    scan    /**< pieces of rows that the scan darkened */
   };
 
   /** The words for it. */

@@ -38,11 +38,13 @@ namespace squeal::tribology
   /** One grey image with its scale. */
   struct Micrograph
   {
-    std::string   path;
-    std::string   stem;
-    cv::Mat       grey;  /**< CV_32F, 0 to 255 whatever the depth was */
-    SeenPixels    seen;  /**< of the size of grey */
-    cv::Rect      frame; /**< the specimen, without data bar */
+    std::string path;
+    std::string stem;
+    cv::Mat     grey;      /**< CV_32F, 0 to 255 whatever the depth was */
+    SeenPixels  seen;      /**< of the size of grey */
+    cv::Rect    frame;     /**< the specimen, without data bar */
+    cv::Rect    scale_bar; /**< with its label, where it told the scale; may
+                              be empty or in the data bar */
     double        pixel_size = 0.; /**< um */
     std::string   scale_source;
     ImageMetadata metadata;
@@ -88,6 +90,12 @@ namespace squeal::tribology
   double scale_bar_pixels(const cv::Mat     &grey,
                           const cv::Rect    &box,
                           const std::string &path);
+
+  /** The pixels of a scale bar that are no picture: @p box, the label of one
+   * value in which it lies, text of the bar's brightness at most 40 pixels
+   * above and below, and 3 pixels around all of them. There must be a bar in
+   * the box, see scale_bar_pixels(). */
+  cv::Rect scale_bar_place(const cv::Mat &grey, const cv::Rect &box);
 
   /**
    * Reads an image with its scale: @p pixel_size (um) if it is not 0, else the

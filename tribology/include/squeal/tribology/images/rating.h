@@ -37,7 +37,8 @@ namespace squeal::tribology
     bool is_beside = false; /**< squeal is a rater like the others, and its own
                                  finding is stated; else that of the others */
     double    tolerance = 2.; /**< pixels; lines as far apart are the same */
-    Placement placement;      /**< of the image */
+    double    smallest_area = AreaSettings().smallest_area; /**< pixels */
+    Placement placement;                                    /**< of the image */
   };
 
   /**

@@ -22,9 +22,13 @@ namespace squeal::tribology
     double crack_width   = 0.; /**< um, mean along the length */
     /** Deviations: length by its pixels, its ends and what is usually missed
      * or invented; width by the depth of cracks; area by both. */
-    double              crack_length_error = 0.; /**< mm */
-    double              crack_area_error   = 0.; /**< mm^2 */
-    double              crack_width_error  = 0.; /**< um */
+    double crack_length_error = 0.; /**< mm */
+    /** Part of it (in squares) that errs to one side in all images of a run:
+     * what the finder and the rules of a length do, but not where single lines
+     * end and how far raters differ. */
+    double              crack_length_common_error = 0.; /**< mm */
+    double              crack_area_error          = 0.; /**< mm^2 */
+    double              crack_width_error         = 0.; /**< um */
     std::vector<double> orientation; /**< length share in bins of 15 degrees
                                         from 0 (along the sliding direction) */
     double exfoliation_fraction = 0.;
@@ -49,6 +53,19 @@ namespace squeal::tribology
     {
       return exfoliation_fraction > 2. * exfoliation_fraction_error;
     }
+  };
+
+  /** Errors of the sum of the lengths of several images, mm: common parts add
+   * up, the others in squares. */
+  struct SummedLengthError
+  {
+    double common = 0., square = 0.; /**< mm, mm^2 of the others */
+
+    void add(const ImageStatistics &image);
+
+    /** Of which the images show each part of the pad once, and so much of what
+     * they show is @p share: the same image n times has the error of one. */
+    double deviation(double share = 1.) const;
   };
 
   /** The areas of the pixels of an image on the pad. */
