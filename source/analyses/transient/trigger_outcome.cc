@@ -17,6 +17,9 @@ namespace squeal
      * large. */
     constexpr double squeal_level = 0.01, large_level = 0.1;
 
+    /** What lasts is at least this share of what it was before. */
+    constexpr double least_left = 0.8;
+
     /** Steps for each coefficient of a polynomial that is taken away. */
     constexpr double least_steps = 8.;
 
@@ -281,7 +284,13 @@ namespace squeal
                         std::all_of(samples.begin() + 9 * samples.size() / 10,
                                     samples.end(),
                                     [](const auto &s) { return s.is_linear; });
-      const bool lasts = r.end > least && r.end > 0.8 * earlier && !ends;
+      // An even vibration is a limit cycle. An uneven one may be bounces that
+      // become smaller, whose last ones do not show it.
+      const bool falls = !f.has_limit_cycle &&
+                         force.rms(0.75 * last, last, 2) <
+                           least_left * force.rms(0.5 * last, 0.75 * last, 2);
+      const bool lasts = r.end > least && r.end > least_left * earlier &&
+                         !ends && !(falls && end < 0.5 * last);
       // A squeal that grows is not there to its full size at the trigger.
       r.text = lasts && (r.before > least || grows_by_itself(f))
                  ? "squeal by itself"
