@@ -438,11 +438,13 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/transient/transient_output.cc
     source/analyses/transient/transient_phase.cc
     source/analyses/transient/transient_plots.cc
+    source/analyses/transient/transient_record.cc
     source/analyses/transient/transient_run.cc
     source/analyses/transient/transient_run_figures.cc
     source/analyses/transient/transient_sound.cc
     source/analyses/transient/transient_summary.cc
     source/analyses/transient/transient_verdict.cc
+    source/analyses/transient/trigger_outcome.cc
     source/analyses/transient/watched_nodes.cc
     source/analyses/triggers/run_triggers.cc
     source/analyses/triggers/trial_tables.cc

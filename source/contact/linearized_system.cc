@@ -322,31 +322,61 @@ namespace squeal
                     "set 'Formulation = springs'");
     }
 
+    [[noreturn]] void
+    refuse_common_node(const std::string &a,
+                       const std::string &b,
+                       const std::string &how)
+    {
+      throw InputError("Scene: " + a + " and " + b +
+                       " have a node in common, " + how +
+                       ": part the faces, exchange source and target of one "
+                       "of them, or set 'Formulation = springs'");
+    }
+
     /** A source node follows one target only, and that target none. */
     void
     require_independent(const DependentUnknowns &dependent)
     {
       std::map<unsigned int, std::string> owner;
-      const auto                          refuse =
-        [](const std::string &a, const std::string &b, const std::string &how) {
-          throw InputError(
-            "Scene: " + a + " and " + b + " have a node in common, " + how +
-            ": part the faces, exchange source and target of one "
-            "of them, or set 'Formulation = springs'");
-        };
       for (std::size_t k = 0; k < dependent.rows.size(); ++k)
         if (const auto [it, is_new] =
               owner.emplace(dependent.rows[k], dependent.owners[k]);
             !is_new)
-          refuse(it->second, dependent.owners[k], "on the source face of both");
+          refuse_common_node(
+            it->second, dependent.owners[k], "on the source face of both");
       for (std::size_t k = 0; k < dependent.rows.size(); ++k)
         for (const auto &[row, weight] : dependent.combinations[k])
           if (const auto it = owner.find(row);
               it != owner.end() && it->second != dependent.owners[k])
-            refuse(it->second,
-                   dependent.owners[k],
-                   "on the source face of the one and the target face of the "
-                   "other");
+            refuse_common_node(
+              it->second,
+              dependent.owners[k],
+              "on the source face of the one and the target face of the "
+              "other");
+    }
+
+    /** A source node that a tie holds along the normal follows the tie's target
+     * and has no motion of its own that a contact could act on. */
+    void
+    require_free_source_nodes(const SceneParameters              &scene,
+                              const std::vector<ContactGeometry> &geometries,
+                              const DependentUnknowns            &tied)
+    {
+      std::map<unsigned int, std::string> owner;
+      for (std::size_t k = 0; k < tied.rows.size(); ++k)
+        owner.emplace(tied.rows[k], tied.owners[k]);
+      for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+        if (scene.contacts[i].formulation !=
+            ContactParameters::Formulation::springs)
+          for (std::size_t j = 0; j < geometries[i].points.size(); ++j)
+            for (unsigned int c = 0; c < 3; ++c)
+              if (std::abs(geometries[i].frames[j].normal[c]) > .5)
+                for (const auto &[row, weight] :
+                     geometries[i].source_rows[j][c])
+                  if (const auto it = owner.find(row); it != owner.end())
+                    refuse_common_node(it->second,
+                                       "contact " + scene.contacts[i].name,
+                                       "on the source face of both");
     }
 
     LinearizedSystem
@@ -454,6 +484,7 @@ namespace squeal
           : nodal_geometry(d, contact, coupling_of(d, evaluator, contact)));
     const DependentUnknowns dependent = tied_unknowns(d, evaluator);
     require_independent(dependent);
+    require_free_source_nodes(d.scene(), result.contacts, dependent);
     if (!dependent.rows.empty())
       {
         const auto elimination = eliminate(result, dependent, {});

@@ -156,13 +156,16 @@ namespace squeal
       f.pairs.clear();
     f.rms_together = rms_of(sum_of(forces).row(normal_row));
     f.frequency    = 1. / motion.period;
-    std::vector<bool> opens(model.n_nodes()), sticks(model.n_nodes());
-    Eigen::VectorXd   lowest = orbit.motions[1], highest = lowest;
+    std::vector<bool> opens(model.n_nodes()), closes(model.n_nodes()),
+      sticks(model.n_nodes());
+    Eigen::VectorXd lowest = orbit.motions[1], highest = lowest;
     for (unsigned int i = 0; i < n; ++i)
       {
         for (unsigned int j = 0; j < model.n_nodes(); ++j)
           {
-            opens[j]  = opens[j] || orbit.status[i][j] == ContactStatus::open;
+            const bool is_open = orbit.status[i][j] == ContactStatus::open;
+            opens[j]           = opens[j] || is_open;
+            closes[j]          = closes[j] || !is_open;
             sticks[j] = sticks[j] || orbit.status[i][j] == ContactStatus::stick;
           }
         lowest  = lowest.cwiseMin(orbit.motions[i + 1]);
@@ -171,8 +174,10 @@ namespace squeal
     for (unsigned int j = 0; j < model.n_nodes(); ++j)
       f.gap_range = std::max(f.gap_range, highest[3 * j] - lowest[3 * j]);
     f.penetration = penetration_of(model, orbit);
-    f.n_opening   = std::count(opens.begin(), opens.end(), true);
-    f.n_sticking  = std::count(sticks.begin(), sticks.end(), true);
+    // What never touches does not open.
+    for (unsigned int j = 0; j < model.n_nodes(); ++j)
+      f.n_opening += opens[j] && closes[j];
+    f.n_sticking = std::count(sticks.begin(), sticks.end(), true);
     return f;
   }
 

@@ -18,6 +18,10 @@ namespace squeal
     /** A disturbance has grown clearly where it is so many times as large; that
      * is waited for over so many periods at most. */
     constexpr double clear_growth = 100., most_periods = 480.;
+    /** A motion is on its way where its rms changes by more than this share
+     * from the first to the last of three parts, so many parts apart. */
+    constexpr double      least_way        = 1e-3;
+    constexpr std::size_t most_parts_apart = 3;
 
     /** Periods in which a disturbance would grow clearly if the largest
      * multiplier is as large as its error allows. */
@@ -88,6 +92,35 @@ namespace squeal
     return result;
   }
 
+  bool
+  CycleTrials::approaches(const MotionTrial         &trial,
+                          const std::vector<double> &rms) const
+  {
+    if (rms.size() < 3)
+      return true; // nothing is told by so few
+    if (!is_near(trial.frequency,
+                 1. / shortest_period,
+                 1. / shortest_period,
+                 wide_line_share,
+                 wide_line_share,
+                 0.))
+      return false;
+    const std::size_t last  = rms.size() - 1,
+                      apart = std::min(most_parts_apart, last / 2);
+    const double expected = cycle.figures.rms_of_pairs()[cycle.figures.loudest];
+    const double first    = rms[last - apart] - rms[last - 2 * apart],
+                 second   = rms[last] - rms[last - apart],
+                 missing  = expected - rms[last];
+    // Less than that is no way to somewhere.
+    const bool goes_there = first * missing > 0. && second * missing > 0. &&
+                            std::abs(first + second) > least_way * expected;
+    if (!goes_there || std::abs(second) >= std::abs(first))
+      return goes_there;
+    // As a distance that shrinks by the same factor again and again ends.
+    const double ratio = second / first, end = second * ratio / (1. - ratio);
+    return std::abs(end) > std::abs(missing) - wide_rms_share * expected;
+  }
+
   MotionTrial
   CycleTrials::follow(const std::string &name, const MotionPlace &start) const
   {
@@ -97,18 +130,22 @@ namespace squeal
     const double frequency = 1. / shortest_period,
                  part      = periods_of_trial * shortest_period;
     LeadingRun run(map, start, step, part, longest, .45 * shortest_period);
+    std::vector<double> rms; // of the cycle's loudest pair, of each part
     try
       {
-        for (bool goes_on = true; goes_on && n_held < n_parts;)
+        // What is there when its time is over stays or leaves soon.
+        for (bool goes_on = true; (goes_on || n_held > 0) && n_held < n_parts;)
           {
             goes_on        = run.advance();
             result.figures = run.figures(cycle.figures.judged_rows());
+            rms.push_back(result.figures.rms_of_pairs[cycle.figures.loudest]);
             const double harmonic =
               std::max(1., std::round(result.figures.line / frequency));
             result.frequency = result.figures.line / harmonic;
             n_held           = is_there(result) ? n_held + 1 : 0;
           }
-        result.ends_in = n_held >= n_parts;
+        result.ends_in      = n_held >= n_parts;
+        result.is_undecided = !result.ends_in && approaches(result, rms);
       }
     catch (const ComputationError &)
       {

@@ -54,7 +54,8 @@ namespace squeal
 
   std::vector<double>
   rms_beside_slow_part(const std::vector<SignalPiece> &pieces,
-                       const unsigned int              n_groups)
+                       const unsigned int              n_groups,
+                       const unsigned int              degree)
   {
     double total = 0.;
     for (const SignalPiece &piece : pieces)
@@ -63,7 +64,7 @@ namespace squeal
     // of its weight, so that the squares of what is left add up to those of the
     // values about the polynomial.
     const auto      n      = static_cast<Eigen::Index>(pieces.size());
-    Eigen::MatrixXd a      = Eigen::MatrixXd::Zero(2 * n, slow_degree + 1);
+    Eigen::MatrixXd a      = Eigen::MatrixXd::Zero(2 * n, degree + 1);
     Eigen::VectorXd b      = Eigen::VectorXd::Zero(2 * n), beside(n);
     double          before = 0.;
     for (Eigen::Index i = 0; i < n; ++i)
@@ -72,7 +73,7 @@ namespace squeal
         const double       x     = (2. * before + piece.n) / total - 1.,
                      of_mean     = std::sqrt(piece.n),
                      of_line     = std::sqrt(spread(piece.n));
-        const Polynomials p(x, slow_degree);
+        const Polynomials p(x, degree);
         before += piece.n;
         beside[i] = piece.square;
         if (!(piece.n > 0.))

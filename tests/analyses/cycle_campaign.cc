@@ -212,6 +212,16 @@ namespace
             after(open, elsewhere).text(0, "outcome") ==
               "limit cycle, stability open",
           "an open cycle that no motion from elsewhere ends in is not heard");
+    MotionTrial on_its_way;
+    on_its_way.is_undecided = true;
+    check(!after(open, on_its_way).is_missing(0, "frequency_hz") &&
+            after(open, on_its_way).integer(0, "n_undecided") == 1 &&
+            after(open, on_its_way).integer(0, "n_ending_in_cycle") == 0,
+          "a motion whose time ran out on its way to a cycle does not end "
+          "elsewhere");
+    check(outcome_table({open}, {0, {on_its_way, elsewhere, there}})
+              .integer(0, "n_undecided") == 1,
+          "and is counted");
     check(outcome_table({stable}).is_missing(0, "stays"),
           "nothing is said of motions that were not followed");
     check(outcome_table({}).n_rows() == 1, "a row without pairs, too");

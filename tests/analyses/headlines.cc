@@ -149,10 +149,16 @@ namespace
     const std::string both = explained_verdict(f, squeal);
     check(has(both, "stable about steady sliding") &&
             has(both, "squeals after the trigger") &&
-            has(both, "a limit cycle stands beside it") && squeals(f, squeal),
-          "beside a squeal after the trigger it is explained: " + both);
+            has(both, "a vibration that lasts stands beside it") &&
+            squeals(f, squeal),
+          "beside a squeal after the trigger it is explained, and no limit "
+          "cycle is said where there is none: " +
+            both);
     f.has_limit_cycle = true;
     f.repetition      = 1.;
+    check(has(explained_verdict(f, squeal),
+              "squeals after the trigger: a limit cycle stands beside it"),
+          "a limit cycle where there is one");
     check(has(explained_verdict(f, none), "a limit cycle stands beside it"),
           "and beside a limit cycle");
     f.has_unseen_motions = true;
@@ -206,6 +212,42 @@ namespace
         check(text(all).empty(), "and none beyond it");
         motion.lambda[2] = -motion.lambda[2];
       }
+  }
+
+  /** Growth that what the reduced model leaves out would take away is none of a
+   * run of all unknowns. */
+  void
+  growth_by_the_reduction()
+  {
+    LinearizedMotion motion;
+    motion.lambda.resize(2);
+    motion.lambda << std::complex<double>(-5., 2. * M_PI * 1e3),
+      std::complex<double>(5786., 2. * M_PI * 93e3);
+    Eigen::VectorXcd error(2);
+    error << 0., std::complex<double>(-35e3, 100.);
+    Parameters p;
+    p.eigen.highest_frequency = 2000.;
+    p.transient.cut_off       = 100e3;
+    const auto text           = [&]() {
+      return text_of_growth_outside(motions_of_run(motion, error, p.transient),
+                                    p);
+    };
+    const auto of_reduction = [&]() {
+      return text_of_growth_of_reduction(motion, error, p);
+    };
+    p.transient.integrator = TransientParameters::Integrator::implicit;
+    check(text().empty() && has(of_reduction(), "93000 Hz"),
+          "growth of the reduced model alone");
+    p.transient.integrator = TransientParameters::Integrator::reduced;
+    check(has(text(), "93000 Hz") && has(of_reduction(), "-35000"),
+          "which its integrator has");
+    error[1]               = -5e3;
+    p.transient.integrator = TransientParameters::Integrator::implicit;
+    check(has(text(), "93000 Hz") && of_reduction().empty(),
+          "what is left of it counts");
+    error[1]         = 0.;
+    motion.lambda[1] = {1.2e-9, 2. * M_PI * 93e3};
+    check(text().empty(), "rounding is no growth");
   }
 
   /** Lines of samples that are too far apart for what grows are not those of
@@ -541,6 +583,7 @@ main()
   signs_of_many();
   verdicts();
   growth_outside_the_band();
+  growth_by_the_reduction();
   growth_beyond_samples();
   changes_of_rms();
   answers();

@@ -3,7 +3,8 @@
 // Faces that a tie joins and faces that supports hold: what is on a tied face
 // acts there, what a tie would have to hold on the other body is refused, a
 // guided face with an edge that is held stands still on either side of a body,
-// and a rigid body is not guided. Argument: the program.
+// a rigid body is not guided, and a contact face with nodes that a tie holds is
+// refused by all analyses. Argument: the program.
 
 #include <squeal/results/table.h>
 
@@ -245,6 +246,79 @@ end
             {"Scene/Support s", "rx, ry, rz"},
             "a rigid body is not guided");
   }
+  /** A block that slides on a floor, one side of it tied to a rigid body. */
+  const std::string tied_slider = R"(set Output directory = out
+subsection Scene
+  set Bodies   = floor, block, lump
+  set Supports = below, guide
+  set Ties     = glue
+  set Loads    = press
+  set Contacts = rub
+  subsection Body floor
+    set Shape    = block
+    set Size     = 0.02, 0.02, 0.01
+    set Position = 0, 0, -0.01
+    set Cells    = 1, 1, 1
+  end
+  subsection Body block
+    set Shape = block
+    set Size  = 0.01, 0.01, 0.01
+    set Cells = 1, 1, 1
+  end
+  subsection Body lump
+    set Shape    = rigid
+    set Mass     = 0.1
+    set Inertia  = 1e-5, 1e-5, 1e-5
+    set Position = 0, 0, 0.005
+  end
+  subsection Support guide
+    set Body       = lump
+    set Kind       = components
+    set Components = x, y, ry, rz
+  end
+  subsection Tie glue
+    set Source body = block
+    set Source face = y_max
+    set Target body = lump
+  end
+  subsection Load press
+    set Body  = block
+    set Face  = z_max
+    set Force = 0, 0, -100
+  end
+  subsection Contact rub
+    set Formulation          = mortar
+    set Contact state        = preload
+    set Source body          = block
+    set Source face          = z_min
+    set Target body          = floor
+    set Target face          = z_max
+    set Friction direction   = fixed y
+    set Sliding speed        = 0.1
+    set Friction coefficient = 0.3
+  end
+)" + support("below", "floor", "z_min") +
+                                  R"(end
+subsection Discretization
+  set Degree         = 1
+  set Estimate error = false
+end
+subsection Output
+  set Plots  = false
+  set Report = false
+end
+)";
+
+  void
+  check_tied_contact_nodes()
+  {
+    for (const char *analysis :
+         {"cea", "preload", "transient", "limit cycle"})
+      refused("set Analysis = " + std::string(analysis) + "\n" + tied_slider,
+              {"tie glue and contact rub have a node in common",
+               "part the faces"},
+              std::string(analysis) + ": a tie holds nodes of the contact");
+  }
 } // namespace
 
 int
@@ -256,4 +330,5 @@ main(int argc, char **argv)
   check_held_edges();
   check_guided_faces();
   check_rigid_bodies();
+  check_tied_contact_nodes();
 }

@@ -116,6 +116,43 @@ namespace
                 "the cycle is that without the quiet pair");
   }
 
+  /** Motions that end in the cycle if they are given the time. */
+  void
+  motions_whose_time_runs_out(const PeriodMap     &map,
+                              const SteadySliding &steady,
+                              const CycleResult   &c)
+  {
+    const MotionPlace start{disturbed(steady), {}, 0.};
+    const double      needed =
+      CycleTrials(map, c, step, 2000.).follow("rest", start).time;
+    // A part is of twelve periods.
+    const double part = 12. / (c.figures.repetitions() * c.figures.frequency);
+    const MotionTrial there =
+      CycleTrials(map, c, step, needed - 2. * part).follow("rest", start);
+    check(there.ends_in,
+          "a motion that is in the cycle when its time is over goes on until "
+          "it has been there for long enough");
+    MotionPlace quiet         = start;
+    quiet.state.velocities[0] = 1e-9;
+    const CycleTrials brief(map, c, step, 5. * part);
+    const MotionTrial early = brief.follow("quiet", quiet);
+    std::printf("stopped at %.2e of the rms\n",
+                early.figures.rms_normal / c.figures.rms_normal);
+    check(early.is_undecided && !early.ends_in && !early.ends_elsewhere(),
+          "one that still grows towards it is undecided");
+    check(!CycleTrials(map, c, step, 2. * part)
+             .follow("quiet", quiet)
+             .ends_elsewhere(),
+          "two parts tell nothing");
+    CycleResult other = c;
+    for (CycleFigures *f : {&other.figures, &other.coarse_figures})
+      f->rms_normal *= 1.5;
+    check(CycleTrials(map, other, step, 600.)
+            .follow_cycle(c.motion)
+            .ends_elsewhere(),
+          "one that stays beside the cycle ends elsewhere");
+  }
+
   void
   trials(const PeriodMap     &map,
          const SteadySliding &steady,
@@ -153,6 +190,7 @@ namespace
     check(longer.ends_in && std::pow(1.03, longer.periods) > 100.,
           "where a disturbance may grow a motion is followed until it has");
     check_below(stays.periods, 60., "and for some periods elsewhere");
+    motions_whose_time_runs_out(map, steady, c);
   }
 } // namespace
 

@@ -14,11 +14,21 @@ namespace squeal
     std::string start;              /**< in words */
     bool        ends_in    = false; /**< the cycle, by CycleTrials::follow() */
     bool        has_failed = false; /**< a step of it had no solution */
-    double      time       = 0.;    /**< s, that it was followed for */
+    /** It was still on its way to the cycle when its time was over, so that
+     * where it would have ended is not known. */
+    bool   is_undecided = false;
+    double time         = 0.; /**< s, that it was followed for */
     /** Hz: its largest line over the harmonic of the cycle that is nearest. */
     double     frequency = 0.;
     RunFigures figures;      /**< of its last parts */
     double     periods = 0.; /**< of the cycle, that it was there at last */
+
+    /** Whether it is known not to end in the cycle. */
+    bool
+    ends_elsewhere() const
+    {
+      return !ends_in && !has_failed && !is_undecided;
+    }
   };
 
   /**
@@ -30,14 +40,18 @@ namespace squeal
    * and 5 % at most. A motion ends in the cycle if it is there in four parts
    * one after the other and, where the largest multiplier may be above 1, in as
    * many as a disturbance takes to become a hundred times as large, at most 480
-   * periods.
+   * periods. A motion that is there when its time is over goes on until that is
+   * decided. One that is not, but whose line is within 1 % and whose rms goes
+   * towards that of the cycle and would come to within 5 % of it, or goes there
+   * ever faster, is undecided, and so is one of fewer than three parts.
    */
   class CycleTrials
   {
   public:
     /** References are kept. @p step: s, at most the largest stable one; @p
      * longest: s, that a motion is followed for at most, beside what it has to
-     * stay for beyond four parts. */
+     * stay for beyond four parts and what it needs to stay for if it is there
+     * at the end. */
     CycleTrials(const PeriodMap   &map,
                 const CycleResult &cycle,
                 const double       step,
@@ -52,6 +66,10 @@ namespace squeal
 
   private:
     bool is_there(const MotionTrial &trial) const;
+    /** Whether a motion is on its way to the cycle, or may be; @p rms: of its
+     * parts, N. */
+    bool approaches(const MotionTrial         &trial,
+                    const std::vector<double> &rms) const;
 
     const PeriodMap   &map;
     const CycleResult &cycle;

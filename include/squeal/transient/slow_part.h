@@ -23,7 +23,7 @@ namespace squeal
 
   /**
    * What a signal vibrates by while it drifts: roots of the mean squares about
-   * the polynomial of slow_degree that is nearest to the whole signal, which is
+   * the polynomial of @p degree that is nearest to the whole signal, which is
    * taken as straight within each of its @p pieces.
    *
    * @param pieces    one after another
@@ -34,7 +34,8 @@ namespace squeal
    */
   std::vector<double> rms_beside_slow_part(
     const std::vector<SignalPiece> &pieces,
-    const unsigned int              n_groups);
+    const unsigned int              n_groups,
+    const unsigned int              degree = slow_degree);
 
   /** The values of @p signal less the polynomial of @p degree that is nearest
    * to them; of a lower one where there are fewer than eight values for each

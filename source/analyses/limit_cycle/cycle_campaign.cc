@@ -256,6 +256,28 @@ namespace squeal
           "campaign.csv): raise 'Limit cycle/Steps per period'");
     }
 
+    /** Warns where motions had not yet come to the cycle that they approach. */
+    void
+    warn_of_undecided_motions(const Table &points, RunLog &log)
+    {
+      if (!points.has_column("n_undecided"))
+        return;
+      std::size_t n = 0, n_motions = 0;
+      for (std::size_t i = 0; i < points.n_rows(); ++i)
+        if (!points.is_missing(i, "n_undecided"))
+          {
+            n += points.integer(i, "n_undecided") > 0;
+            n_motions += points.integer(i, "n_undecided");
+          }
+      if (n > 0)
+        log.warning(std::to_string(n_motions) +
+                    " motions from other starts at " + std::to_string(n) +
+                    " of " + std::to_string(points.n_rows()) +
+                    " points were still on their way to the cycle when their "
+                    "time was over ('n_undecided' in campaign.csv): raise "
+                    "'Limit cycle/Run time'");
+    }
+
     /** The line that is heard over the first axis, one series for each value of
      * the others. */
     void
@@ -329,6 +351,7 @@ namespace squeal
     context.log.heading("Campaign of limit cycles");
     context.log.info(text.str());
     warn_of_cycles_left(tables.points, context.log);
+    warn_of_undecided_motions(tables.points, context.log);
     context.record.figures = {
       {"limit cycles", campaign_sentence(tables.points)},
       {"points", std::to_string(tables.points.n_rows())},

@@ -101,15 +101,16 @@ namespace squeal
       });
     }
 
-    /** Whether some motion from elsewhere ends in the cycle, if any was
-     * followed. */
+    /** Whether motions from elsewhere were followed and all are known to end
+     * elsewhere. */
     bool
-    is_reached(const std::vector<MotionTrial> &trials)
+    is_never_reached(const std::vector<MotionTrial> &trials)
     {
-      return trials.size() < 2 ||
-             std::any_of(trials.begin(),
-                         trials.end() - 1,
-                         [](const MotionTrial &x) { return x.ends_in; });
+      return trials.size() > 1 && std::all_of(trials.begin(),
+                                              trials.end() - 1,
+                                              [](const MotionTrial &x) {
+                                                return x.ends_elsewhere();
+                                              });
     }
 
     using PointColumn = ColumnOf<PointRow>;
@@ -183,7 +184,15 @@ namespace squeal
                                       : Cell(value(row.trials));
                            }};
       };
-      using Trials = std::vector<MotionTrial>;
+      using Trials       = std::vector<MotionTrial>;
+      const auto counted = [](bool MotionTrial::*what) {
+        return [what](const Trials &t) -> std::size_t {
+          return std::count_if(
+            t.begin(), t.end() - 1, [what](const MotionTrial &x) {
+              return x.*what;
+            });
+        };
+      };
       return {where({"n_starts",
                      Type::integer,
                      "",
@@ -193,12 +202,12 @@ namespace squeal
                      Type::integer,
                      "",
                      "those that end in the cycle that is heard"},
-                    [](const Trials &t) -> std::size_t {
-                      return std::count_if(
-                        t.begin(), t.end() - 1, [](const MotionTrial &x) {
-                          return x.ends_in;
-                        });
-                    }),
+                    counted(&MotionTrial::ends_in)),
+              where({"n_undecided",
+                     Type::integer,
+                     "",
+                     "those that were still on their way to it"},
+                    counted(&MotionTrial::is_undecided)),
               where({"stays",
                      Type::text,
                      "",
@@ -352,7 +361,7 @@ namespace squeal
     if (all_end_there)
       outcome.heard = is_far_from_stable ? -1 : trials.cycle;
     else if (trials.cycle >= 0 && !outcome.open.empty())
-      outcome.heard = is_reached(trials.motions) ? trials.cycle : -1;
+      outcome.heard = is_never_reached(trials.motions) ? -1 : trials.cycle;
     if (all_end_there && outcome.n_stable == 0)
       outcome.text = is_far_from_stable
                        ? "unstable limit cycle that motions stay near"

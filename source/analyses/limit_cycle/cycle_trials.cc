@@ -52,9 +52,10 @@ namespace squeal
           "",
           "line and rms stay those of the cycle"},
          [](const TrialRow &row) {
-           return Cell(std::string(row.trial.ends_in      ? "yes"
-                                   : row.trial.has_failed ? "no solution"
-                                                          : "no"));
+           return Cell(std::string(row.trial.ends_in        ? "yes"
+                                   : row.trial.has_failed   ? "no solution"
+                                   : row.trial.is_undecided ? "undecided"
+                                                            : "no"));
          }},
         {{"time_s", Type::real, "s", "that the motion was followed for"},
          [](const TrialRow &row) { return Cell(row.trial.time); }},

@@ -142,8 +142,9 @@ namespace squeal
                " Hz (fit and time step; mesh error not estimated)" + reduction
            : reason_for_no_rate(f)},
         {"linearised about steady sliding",
-         shown("sigma_linear_per_s") + " 1/s at " +
-           shown("frequency_linear_hz") + " Hz"},
+         f.leading < 0 ? "no pair in the band"
+                       : shown("sigma_linear_per_s") + " 1/s at " +
+                           shown("frequency_linear_hz") + " Hz"},
         {"limit cycle", limit_cycle_text(f)},
         {"normal force" + of_judged(f.loudest),
          shown(f.loudest.name.empty() ? "mean_normal_n"
@@ -365,14 +366,15 @@ namespace squeal
     /** What grows fastest in the reduced model about steady sliding, in the
      * band or not, and whether the run has that motion. */
     void
-    report_fastest(const LinearizedMotion &linear,
-                   const Parameters       &p,
-                   RunLog                 &log)
+    report_fastest(const PreparedTransient &prepared,
+                   const Parameters        &p,
+                   RunLog                  &log)
     {
-      Eigen::Index      k;
-      const double      sigma     = linear.lambda.real().maxCoeff(&k);
-      const double      frequency = linear.lambda[k].imag() / (2. * M_PI);
-      const std::string text      = "sigma of " + rounded_text(sigma, 5) +
+      const LinearizedMotion &linear = prepared.linear;
+      Eigen::Index            k;
+      const double            sigma     = linear.lambda.real().maxCoeff(&k);
+      const double            frequency = linear.lambda[k].imag() / (2. * M_PI);
+      const std::string       text      = "sigma of " + rounded_text(sigma, 5) +
                                " 1/s at " + rounded_text(frequency, 6) + " Hz";
       const bool is_there = is_of_the_run(linear.lambda[k], p.transient);
       const bool has_all =
@@ -384,13 +386,22 @@ namespace squeal
         (is_there ? ""
                   : ", of the reduced model above its cut-off, which "
                     "this run does not use"));
-      const std::string growing = text_of_growth_outside(linear, p);
-      if (sigma > 0. && is_there &&
-          !is_between(
-            frequency, p.eigen.lowest_frequency, p.eigen.highest_frequency))
+      const std::string of_reduction = text_of_growth_of_reduction(
+                          linear, prepared.reduction_errors, p),
+                        growing =
+                          text_of_growth_outside(prepared.motions(p), p);
+      if (!of_reduction.empty() && has_all)
+        return log.warning(of_reduction +
+                           ", so that it decays in the bodies; raise "
+                           "'Transient/Cut-off'");
+      if (!of_reduction.empty())
+        log.info("  " + of_reduction + ", so that this run does not have it");
+      // Rounding is no growth.
+      if (is_there && of_reduction.empty() &&
+          growth_outside(linear, p).real() > 0.)
         log.warning("the fastest motion of the reduced model, " + text +
                     ", is outside the band: the branches do not show it");
-      else if (!is_there && !growing.empty())
+      else if (!growing.empty())
         log.warning(growing + ": the branches do not show it");
     }
   } // namespace
@@ -435,9 +446,9 @@ namespace squeal
                            growing_pairs(prepared.linear, p.eigen),
                            p,
                            context.log);
-    warn_of_sampling(prepared.linear, p.transient, context.log);
+    warn_of_sampling(prepared.motions(p), p.transient, context.log);
     warn_of_short_lag(prepared.pressed, prepared.steady, p, context.log);
-    report_fastest(prepared.linear, p, context.log);
+    report_fastest(prepared, p, context.log);
     report_reduction(prepared, p, context.log);
     SavedTransient saved(prepared.pressed.nodes(), context);
     TransientRun   run(prepared.pressed,

@@ -303,6 +303,13 @@ namespace squeal
     if (!kept.pair_stretches.empty())
       result.set("pair_stretches",
                  by_field(kept.pair_stretches, stretch_fields));
+    if (!kept.trigger_stretches.empty())
+      {
+        result.set("trigger_stretches",
+                   by_field(kept.trigger_stretches, stretch_fields));
+        result.set("watched/trigger_pieces",
+                   by_field(kept.watched.trigger_pieces, piece_fields));
+      }
     result.set("watched/pieces", by_field(kept.watched.pieces, piece_fields));
     result.set("watched/samples", kept.watched.samples);
     result.set("watched/last_steps", kept.watched.last_steps);
@@ -362,6 +369,15 @@ namespace squeal
     memory.get("watched/pieces/n", n_watched * n_force_stretches);
     record.watched.pieces =
       from_fields(memory.group("watched/pieces"), piece_fields);
+    if (!kept.trigger_stretches.empty())
+      {
+        memory.get("trigger_stretches/n_steps", kept.trigger_stretches.size());
+        record.trigger_stretches =
+          from_fields(memory.group("trigger_stretches"), stretch_fields);
+        memory.get("watched/trigger_pieces/n", n_watched * n_trigger_stretches);
+        record.watched.trigger_pieces =
+          from_fields(memory.group("watched/trigger_pieces"), piece_fields);
+      }
     record.watched.samples =
       memory.get("watched/samples", n_watched * record.samples.size());
     record.watched.last_steps = memory.get(

@@ -303,7 +303,7 @@ namespace squeal
         return std::vector<double>(all.begin() + first, all.end());
       };
       f.beyond_samples =
-        frequency_beyond_samples(prepared.linear, p.transient, interval);
+        frequency_beyond_samples(prepared.motions(p), p.transient, interval);
       // Noise has a largest line, too.
       if (f.beyond_samples == 0. && !nothing_vibrates(f))
         {
@@ -366,6 +366,14 @@ namespace squeal
 
 
 
+  LinearizedMotion
+  PreparedTransient::motions(const Parameters &p) const
+  {
+    return motions_of_run(linear, reduction_errors, p.transient);
+  }
+
+
+
   TransientFigures
   evaluate_transient(const PreparedTransient &prepared,
                      const TransientRecord   &record,
@@ -374,7 +382,12 @@ namespace squeal
   {
     TransientFigures f;
     evaluate_branches(prepared, record, p.transient, cea, f);
-    f.growing_outside = text_of_growth_outside(prepared.linear, p);
+    f.growing_outside = text_of_growth_outside(prepared.motions(p), p);
+    if (p.transient.integrator == TransientParameters::Integrator::reduced &&
+        !text_of_growth_of_reduction(
+           prepared.linear, prepared.reduction_errors, p)
+           .empty())
+      f.growing_outside += " in the reduced model, but not in the bodies";
     f.has_unseen_motions =
       p.transient.integrator != TransientParameters::Integrator::reduced;
     f.verdict = verdict_of(f);

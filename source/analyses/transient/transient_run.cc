@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/analyses/transient/transient_results.h>
 #include <squeal/analyses/transient/transient_run.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/timers.h>
@@ -29,26 +30,6 @@ namespace squeal
 
 
 
-  std::vector<double>
-  TransientRecord::times() const
-  {
-    std::vector<double> result;
-    for (const auto &sample : samples)
-      result.push_back(sample.time);
-    return result;
-  }
-
-  std::vector<std::complex<double>>
-  TransientRecord::branch(const unsigned int k, const unsigned int n) const
-  {
-    std::vector<std::complex<double>> result;
-    for (std::size_t i = k; i < amplitudes.size(); i += n)
-      result.push_back(amplitudes[i]);
-    return result;
-  }
-
-
-
   namespace
   {
     /** Some of the pairs, without their right vectors. */
@@ -63,39 +44,6 @@ namespace squeal
       return result;
     }
   } // namespace
-
-
-
-  unsigned int
-  TransientRecord::n_pairs() const
-  {
-    return samples.empty() ? 0 : pairs.size() / samples.size();
-  }
-
-  std::vector<double>
-  TransientRecord::forces_of(const unsigned int i,
-                             double PairSample::*const force) const
-  {
-    std::vector<double> result;
-    for (std::size_t k = 0; k < samples.size(); ++k)
-      result.push_back(pair(k, i).*force);
-    return result;
-  }
-
-  std::vector<ForceStatistics>
-  TransientRecord::stretches_of(const unsigned int i) const
-  {
-    if (pair_stretches.empty())
-      return stretches;
-    const auto first = pair_stretches.begin() + i * n_force_stretches;
-    return {first, first + n_force_stretches};
-  }
-
-  const PairSample &
-  TransientRecord::pair(const std::size_t k, const unsigned int i) const
-  {
-    return pairs[k * n_pairs() + i];
-  }
 
 
 
@@ -127,6 +75,12 @@ namespace squeal
     kept.watched = WatchedNodes(model.nodes());
     if (pairs.size() > 1)
       kept.pair_stretches.resize(pairs.size() * n_force_stretches);
+    if (has_trigger(settings))
+      {
+        kept.trigger_stretches.resize(pairs.size() * n_trigger_stretches);
+        kept.watched.trigger_pieces.resize(kept.watched.numbers.size() *
+                                           n_trigger_stretches);
+      }
     kept.square_accelerations.assign(pairs.size(), 0.);
     kept.frame_nodes.resize(pairs.size());
     for (const ContactPair &pair : pairs)
@@ -284,6 +238,7 @@ namespace squeal
                           n_steps_left() < WatchedNodes::most_last_steps);
     if (of_pairs.empty())
       of_pairs = {force};
+    take_trigger_forces(of_pairs);
     if (n_steps_left() < most_last_steps)
       for (const StepSums &sum : of_pairs)
         kept.last_steps.push_back({motion->time(),
@@ -291,6 +246,21 @@ namespace squeal
                                    sum.tangential,
                                    sum.first_moment,
                                    sum.second_moment});
+  }
+
+
+
+  void
+  TransientRun::take_trigger_forces(const std::vector<StepSums> &of_pairs)
+  {
+    if (kept.trigger_stretches.empty())
+      return;
+    const auto          n       = static_cast<std::uint64_t>(kept.n_steps);
+    const std::uint64_t stretch = (n - 1) * n_trigger_stretches / n_steps;
+    for (std::size_t i = 0; i < of_pairs.size(); ++i)
+      kept.trigger_stretches[i * n_trigger_stretches + stretch].add(of_pairs[i],
+                                                                    false);
+    kept.watched.add_trigger_step(motion->forces(), stretch);
   }
 
 

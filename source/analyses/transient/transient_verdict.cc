@@ -41,6 +41,53 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** Whether growth is that of the reduced model only; @p error: what it
+     * leaves out would add, 1/s. */
+    bool
+    grows_by_reduction(const std::complex<double> lambda,
+                       const std::complex<double> error)
+    {
+      return lambda.real() > 0. && !(lambda.real() + error.real() > 0.);
+    }
+  } // namespace
+
+  LinearizedMotion
+  motions_of_run(const LinearizedMotion    &linear,
+                 const Eigen::VectorXcd    &reduction,
+                 const TransientParameters &t)
+  {
+    LinearizedMotion result;
+    result.lambda = linear.lambda;
+    if (t.integrator == TransientParameters::Integrator::reduced)
+      return result;
+    for (Eigen::Index k = 0; k < result.lambda.size(); ++k)
+      if (grows_by_reduction(result.lambda[k], reduction[k]))
+        result.lambda[k] += reduction[k].real();
+    return result;
+  }
+
+  std::string
+  text_of_growth_of_reduction(const LinearizedMotion &linear,
+                              const Eigen::VectorXcd &reduction,
+                              const Parameters       &p)
+  {
+    const std::complex<double> lambda = growth_outside(linear, p);
+    for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
+      if (linear.lambda[k] == lambda &&
+          grows_by_reduction(lambda, reduction[k]))
+        return "the motion at " + rounded_text(lambda.imag() / (2. * M_PI), 5) +
+               " Hz, outside the band, grows in the reduced model alone: the "
+               "motions above the cut-off, which it leaves out, would add "
+               "about " +
+               rounded_text(reduction[k].real(), 2) + " 1/s to its " +
+               rounded_text(lambda.real(), 3) + " 1/s";
+    return "";
+  }
+
+
+
   std::string
   reason_for_no_cycle(const TransientFigures &f)
   {
@@ -196,7 +243,9 @@ namespace squeal
          ? f.verdict + " about steady sliding"
          : f.verdict + " in the band; " + f.growing_outside);
     if (trigger.text == "squeal after the trigger")
-      return about + "; squeals after the trigger: a limit cycle " + beside(f);
+      return about + "; squeals after the trigger: a " +
+             (f.has_limit_cycle ? kind_of_cycle(f) : "vibration that lasts") +
+             " " + beside(f);
     if (trigger.text == "squeal by itself")
       return about + "; squeals without the trigger";
     if (f.has_limit_cycle)

@@ -83,6 +83,15 @@ namespace squeal
   }
 
   void
+  WatchedNodes::add_trigger_step(const Eigen::VectorXd &forces,
+                                 const unsigned int     stretch)
+  {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      join({1., forces[3 * numbers[i]], 0., 0.},
+           trigger_pieces[i * n_trigger_stretches + stretch]);
+  }
+
+  void
   WatchedNodes::add_sample(const Eigen::VectorXd &forces)
   {
     for (const unsigned int j : numbers)

@@ -75,8 +75,8 @@ namespace squeal
   /** Columns of what a point comes to, without those of the axes; one row. A
    * cycle that all motions of @p trials end in is heard, whatever multipliers
    * within a hundredth of 1 say; one that is unstable by more is not. One whose
-   * stability is left open is not heard where all motions from elsewhere end
-   * elsewhere. @p pairs: the contact pairs where there are several, each with
+   * stability is left open is not heard where all motions from elsewhere are
+   * known to end elsewhere. @p pairs: the contact pairs where there are several, each with
    * its own columns. @p outside: the growth outside the band, 1/s, 0 where there
    * is none: without growing pairs of the band steady sliding is not stable
    * then. */

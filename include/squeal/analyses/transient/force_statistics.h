@@ -109,6 +109,11 @@ namespace squeal
    * numbers of them. */
   constexpr unsigned int n_force_stretches = 200;
 
+  /** Equal parts of the time of a run with a trigger: a tenth of them to a
+   * hundredth of the run, so that what a window begins or ends within is a
+   * small part of it. */
+  constexpr unsigned int n_trigger_stretches = 1000;
+
   /** Of the stretch number @p first up to the one before @p end. */
   ForceStatistics statistics_of(const std::vector<ForceStatistics> &stretches,
                                 const unsigned int                  first,

@@ -37,6 +37,9 @@ namespace squeal
                       const Parameters   &parameters,
                       Timers             &timers);
 
+    /** motions_of_run() of `linear`. */
+    LinearizedMotion motions(const Parameters &parameters) const;
+
   private:
     PreparedTransient(const SteadyModel &model,
                       const Parameters  &parameters,
@@ -194,6 +197,21 @@ namespace squeal
                              const JudgedPair      &pair,
                              const double           lowest,
                              const double           interval);
+
+  /** The eigenvalues of @p linear as far as a run has them: growth of the
+   * reduced model that what it leaves out, @p reduction, 1/s, as of
+   * reduction_error(), would take away is none of a run of all unknowns.
+   * Without vectors. */
+  LinearizedMotion motions_of_run(const LinearizedMotion    &linear,
+                                  const Eigen::VectorXcd    &reduction,
+                                  const TransientParameters &t);
+
+  /** Of the motion of text_of_growth_outside() where @p reduction would make it
+   * decay: "the motion at 92824 Hz, outside the band, grows in the reduced
+   * model alone (...)"; empty where it would not, and where there is none. */
+  std::string text_of_growth_of_reduction(const LinearizedMotion &linear,
+                                          const Eigen::VectorXcd &reduction,
+                                          const Parameters       &parameters);
 
   /** The frequency of fastest_growth(), Hz, where samples @p interval, s, apart
    * do not tell it (highest_line()) and the motion has the time to become

@@ -98,6 +98,10 @@ namespace squeal
     /** Pairs x stretches, resultants of each of several pairs: pads that move
      * against each other cancel in the sums. Empty with one pair. */
     std::vector<ForceStatistics> pair_stretches;
+    /** Pairs x n_trigger_stretches, of every step: what a trigger has made is
+     * judged by them, as impacts are shorter than samples are apart. Empty
+     * without a trigger. */
+    std::vector<ForceStatistics> trigger_stretches;
     /** Of every step and sample; none where nodes were not looked at. */
     WatchedNodes watched;
     /** Of the source of each pair: squares of the acceleration of its centre,
@@ -110,6 +114,9 @@ namespace squeal
 
     /** Of pair @p i, of the sums where it is the only one. */
     std::vector<ForceStatistics> stretches_of(const unsigned int i) const;
+    /** Of pair @p i; none without a trigger. */
+    std::vector<ForceStatistics> trigger_stretches_of(
+      const unsigned int i) const;
     /** A force of pair @p i in every sample, N. */
     std::vector<double> forces_of(const unsigned int i,
                                   double PairSample::*const force) const;
@@ -178,6 +185,7 @@ namespace squeal
     /** Sums of the forces of now. */
     StepSums force_sums() const;
     void     take_step_forces();
+    void     take_trigger_forces(const std::vector<StepSums> &of_pairs);
     void     take_accelerations();
     /** Speed of the drive at the end of the last step, m/s. */
     double speed_now() const;

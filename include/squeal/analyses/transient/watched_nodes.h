@@ -33,6 +33,9 @@ namespace squeal
     std::vector<unsigned int> numbers;
     /** Nodes x n_force_stretches: the normal forces of every step, N. */
     std::vector<SignalPiece> pieces;
+    /** Nodes x n_trigger_stretches, as those of
+     * TransientRecord::trigger_stretches; empty without a trigger. */
+    std::vector<SignalPiece> trigger_pieces;
     /** Normal forces, N, samples x nodes and last steps x nodes. */
     std::vector<double> samples, last_steps;
 
@@ -42,6 +45,10 @@ namespace squeal
                   const unsigned int     stretch,
                   const bool             is_one_of_the_last);
     void add_sample(const Eigen::VectorXd &forces);
+    /** The same step, to stretch number @p stretch of those that tell what a
+     * trigger has made. */
+    void add_trigger_step(const Eigen::VectorXd &forces,
+                          const unsigned int     stretch);
 
     /** What node number @p i of this list is in every row of @p rows, `samples`
      * or `last_steps`. */
