@@ -20,8 +20,10 @@ namespace squeal
     constexpr double clear_growth = 100., most_periods = 480.;
     /** A motion is on its way where its rms changes by more than this share
      * from the first to the last of three parts, so many parts apart. */
-    constexpr double      least_way        = 1e-3;
-    constexpr std::size_t most_parts_apart = 3;
+    constexpr double least_way = 1e-3;
+    /** The line of a motion that grows is that of the pair. */
+    constexpr double      line_share_on_its_way = 0.1;
+    constexpr std::size_t most_parts_apart      = 3;
 
     /** Periods in which a disturbance would grow clearly if the largest
      * multiplier is as large as its error allows. */
@@ -101,8 +103,8 @@ namespace squeal
     if (!is_near(trial.frequency,
                  1. / shortest_period,
                  1. / shortest_period,
-                 wide_line_share,
-                 wide_line_share,
+                 line_share_on_its_way,
+                 line_share_on_its_way,
                  0.))
       return false;
     const std::size_t last  = rms.size() - 1,

@@ -312,12 +312,11 @@ end
   void
   check_tied_contact_nodes()
   {
-    for (const char *analysis :
-         {"cea", "preload", "transient", "limit cycle"})
-      refused("set Analysis = " + std::string(analysis) + "\n" + tied_slider,
-              {"tie glue and contact rub have a node in common",
-               "part the faces"},
-              std::string(analysis) + ": a tie holds nodes of the contact");
+    for (const char *analysis : {"cea", "preload", "transient", "limit cycle"})
+      refused(
+        "set Analysis = " + std::string(analysis) + "\n" + tied_slider,
+        {"tie glue and contact rub have a node in common", "part the faces"},
+        std::string(analysis) + ": a tie holds nodes of the contact");
   }
 } // namespace
 

@@ -41,7 +41,7 @@ namespace squeal
    * one after the other and, where the largest multiplier may be above 1, in as
    * many as a disturbance takes to become a hundred times as large, at most 480
    * periods. A motion that is there when its time is over goes on until that is
-   * decided. One that is not, but whose line is within 1 % and whose rms goes
+   * decided. One that is not, but whose line is within 10 % and whose rms goes
    * towards that of the cycle and would come to within 5 % of it, or goes there
    * ever faster, is undecided, and so is one of fewer than three parts.
    */
