@@ -66,6 +66,25 @@ namespace
     std::printf("width %g at %g: recall %.2f\n", width, place, score.recall);
     check(score.recall > 0.95, "and is found");
   }
+
+  /** A line drawn along a row without optics: a crack, as it is alone. */
+  void
+  check_drawn_line()
+  {
+    cv::RNG       random(7);
+    StraightScene scene;
+    scene.grey   = grainy_surface(random);
+    scene.cracks = cv::Mat::zeros(scene.grey.size(), CV_8U);
+    scene.grey(cv::Rect(100, 200, 200, 2)) -= 70.;
+    cv::line(scene.cracks, {100, 200}, {299, 200}, 255);
+    const Segmentation found = segment(scene.grey);
+    const LineScore    score =
+      score_lines(found.cracks.centre_line, scene.cracks, 2.);
+    std::printf("drawn: recall %.2f\n", score.recall);
+    check(score.recall > 0.95, "a line that is drawn along a row is found");
+    check(found.rows_like_scan.size() == 1, "and is told to be like a row");
+    check(found.cracks.doubt.invented >= 190., "which its error holds");
+  }
 } // namespace
 
 
@@ -79,5 +98,6 @@ main()
   for (const double width : {1., 2., 3.})
     for (const double place : {200., 200.5})
       check_crack_along_rows(width, place);
+  check_drawn_line();
   return 0;
 }

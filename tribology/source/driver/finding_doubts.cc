@@ -28,6 +28,11 @@ namespace squeal::tribology
           " pixels in all, are darker than the rows beside them, with edges "
           "sharper than optics make: they are taken for the scan, are filled "
           "in by these rows, and count for nothing");
+      if (const std::size_t few = found.rows_like_scan.size(); few > 0)
+        doubts.push_back(
+          std::to_string(few) + (few == 1 ? " line lies" : " lines lie") +
+          " exactly along the rows of the image, with edges sharper than "
+          "optics make: part of the cracks may be of the scan");
     }
   } // namespace
 

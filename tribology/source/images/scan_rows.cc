@@ -14,6 +14,7 @@ namespace squeal::tribology
     constexpr int row_window     = 41; // pixels along a row that are averaged
     constexpr int shortest_piece = 30; // pixels
     constexpr int next_columns   = 8;  // by which a piece is prolonged
+    constexpr std::size_t fewest_pieces = 4; // that tell of the scan
     // Of the depth: what an edge of a row leaves in the next one, by which its
     // rows differ, and by which the surface above and below does. Optics leave
     // 0.3 and more of a narrow crack there.
@@ -190,7 +191,8 @@ namespace squeal::tribology
                 pixels.emplace_back(piece.box.x + x, y + n / 2);
               result.pieces.push_back(pixels);
             }
-    result.grey = filled;
+    result.are_filled = result.pieces.size() >= fewest_pieces;
+    result.grey       = result.are_filled ? cv::Mat(filled) : grey;
     return result;
   }
 } // namespace squeal::tribology

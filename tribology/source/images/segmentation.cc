@@ -228,7 +228,15 @@ namespace squeal::tribology
     result.excluded = found.excluded;
     for (const PixelPath &row : rows.pieces)
       if (seen.empty() || seen.at<uchar>(row[row.size() / 2]) != 0)
-        result.excluded.push_back({row, 0., Exclusion::scan});
+        {
+          if (rows.are_filled)
+            result.excluded.push_back({row, 0., Exclusion::scan});
+          else
+            {
+              result.rows_like_scan.push_back(row);
+              result.cracks.doubt.invented += double(row.size());
+            }
+        }
     add_bands(result, line);
     if (!rims.empty())
       {

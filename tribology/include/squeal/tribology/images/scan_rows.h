@@ -13,6 +13,7 @@ namespace squeal::tribology
   {
     cv::Mat                grey;   /**< CV_32F, the rows filled in */
     std::vector<PixelPath> pieces; /**< their middle, from left to right */
+    bool                   are_filled = false;
   };
 
   /**
@@ -21,6 +22,8 @@ namespace squeal::tribology
    * flickers darkens whole rows, from one row to the next. The optics blur
    * whatever the specimen shows, so that a crack along a row darkens the rows
    * beside it too. Pieces shorter than some 30 pixels are not told from grains.
+   * A scan that darkens rows does so in several places: fewer than four pieces
+   * may be cracks of a picture without optics, and stay.
    * @p grey is CV_32F.
    */
   ScanRows without_scan_rows(const cv::Mat &grey);

@@ -13,7 +13,9 @@ namespace squeal::tribology
     CrackMap                  cracks;
     AreaMap                   areas;
     std::vector<ExcludedLine> excluded; /**< dark lines that are no cracks */
-    SeenPixels                seen;     /**< what the figures are of */
+    /** Cracks, or a few dark rows of the scan: see without_scan_rows(). */
+    std::vector<PixelPath> rows_like_scan;
+    SeenPixels             seen; /**< what the figures are of */
   };
 
   struct SegmentationSettings
