@@ -189,8 +189,8 @@ namespace
     refuses(brake_with_plate("plate.msh"),
             {"pad_disc", "is not along the face", "(0, -0.02000, 0.9998)"},
             "sliding that is not along a tilted plate is refused");
-    // Between the nodes of its quadratic arcs a face is not round by 0.1
-    // degrees.
+    // Between the nodes of its quadratic arcs, where those of other cells meet
+    // it, a face is not round by 0.1 degrees.
     refuses(R"(
 set Analysis         = cea
 set Output directory = out
@@ -210,7 +210,7 @@ subsection Scene
     set Inner radius = 0.08
     set Outer radius = 0.1
     set Height       = 0.03
-    set Cells        = 12, 1, 1
+    set Cells        = 16, 1, 1
   end
   subsection Contact rub
     set Formulation        = mortar
