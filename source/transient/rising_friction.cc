@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/transient/rising_friction.h>
 
+#include <boost/math/tools/roots.hpp>
+
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace squeal
 {
   namespace
   {
     /** Bisection alone, where a table has points, ends within this. */
-    constexpr unsigned int slip_iterations = 100;
-    constexpr double slip_digits = 4. * std::numeric_limits<double>::epsilon();
+    constexpr std::uintmax_t slip_iterations = 100;
   } // namespace
 
 
@@ -60,19 +62,18 @@ namespace squeal
     };
     if (excess(0.) >= 0.)
       return {};
-    double low = 0., high = tried / stiffness, s = 0.;
-    for (unsigned int i = 0;
-         i < slip_iterations && high - low > slip_digits * high;
-         ++i)
-      {
-        const double missing        = excess(s);
-        (missing > 0. ? high : low) = s;
-        if (std::abs(missing) <= slip_digits * tried)
-          break;
-        s -= missing / (stiffness + slope(s / duration) / duration * normal);
-        if (!(s > low && s < high))
-          s = 0.5 * (low + high);
-      }
+    constexpr int  digits     = std::numeric_limits<double>::digits - 3;
+    std::uintmax_t iterations = slip_iterations;
+    const double   s          = boost::math::tools::newton_raphson_iterate(
+      [&](const double x) {
+        return std::make_pair(
+          excess(x), stiffness + slope(x / duration) / duration * normal);
+      },
+      0.,
+      0.,
+      tried / stiffness,
+      digits,
+      iterations);
     return Slip{coefficient(s / duration), slope(s / duration) / duration};
   }
 } // namespace squeal
