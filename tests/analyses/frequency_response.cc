@@ -25,12 +25,7 @@ namespace
   Outcome
   run(const std::string &text, const std::vector<std::string> &settings = {})
   {
-    write_text("run.prm", text);
-    std::vector<std::string> words = {program, "--set", "Overwrite = true"};
-    for (const std::string &setting : settings)
-      words.insert(words.end(), {"--set", setting});
-    words.push_back("run.prm");
-    return run_program(words);
+    return run_text(program, text, settings);
   }
 
   void

@@ -143,6 +143,21 @@ namespace squeal
               text_of("stderr.txt")};
     }
 
+    /** Runs @p program on a file of @p text over earlier results, with @p
+     * settings, "entry = value" each. */
+    inline Outcome
+    run_text(const std::string              &program,
+             const std::string              &text,
+             const std::vector<std::string> &settings = {})
+    {
+      write_text("run.prm", text);
+      std::vector<std::string> words = {program, "--set", "Overwrite = true"};
+      for (const std::string &setting : settings)
+        words.insert(words.end(), {"--set", setting});
+      words.push_back("run.prm");
+      return run_program(words);
+    }
+
     /**
      * The command of a transient that takes seconds:
      * prm/tribobrake/transient.prm on coarse meshes with a pad that squeals.
