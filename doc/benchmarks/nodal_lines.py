@@ -214,7 +214,7 @@ $data << EOD
 EOD
 set grid
 set format y "%g"
-set key bottom right
+set key at graph 0.6, 0.16
 set multiplot layout 3,{len(results)} columnsfirst
 {"".join(plots)}
 """
