@@ -221,10 +221,10 @@ namespace squeal
               rounded_text(b.sigma_cea, 4) +
               " 1/s in the eigenvalue analysis, which the reduction does not "
               "explain: " +
-              (is_damped_at_cut_off
-                 ? "'Transient/Cut-off damping' acts in time alone, "
-                 : "") +
-              "in time springs of the contact have no damping, and tangential "
+              (is_damped_at_cut_off ? "'Transient/Cut-off damping' takes part "
+                                      "in time alone, where "
+                                    : "in time ") +
+              "springs of the contact have no damping, and tangential "
               "ones act in series with the slip");
         }
     }
