@@ -277,12 +277,14 @@ namespace squeal::tribology
   cv::Mat
   widened(const cv::Mat &line, const double tolerance)
   {
-    if (cv::countNonZero(line) == 0)
-      return cv::Mat::zeros(line.size(), CV_8U);
-    cv::Mat distance;
-    cv::distanceTransform(
-      line == 0, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    return distance <= tolerance;
+    const int reach = cvFloor(tolerance);
+    cv::Mat1b disc(2 * reach + 1, 2 * reach + 1);
+    for (int y = -reach; y <= reach; ++y)
+      for (int x = -reach; x <= reach; ++x)
+        disc(y + reach, x + reach) = x * x + y * y <= tolerance * tolerance;
+    cv::Mat result;
+    cv::dilate(line != 0, result, disc);
+    return result;
   }
 
 

@@ -118,13 +118,14 @@ namespace squeal::tribology
   Eigen::ArrayXXd
   CrackDepth::likelihood(const Dip &dip) const
   {
-    Eigen::ArrayXXd result(n_depths, n_blurs);
+    Eigen::ArrayXXd      result(n_depths, n_blurs);
+    const Eigen::ArrayXd depth_of = depths.exp();
     for (int k = 0; k < n_blurs; ++k)
       {
         const double b = blur * std::exp(blur_error * blur_nodes[k]);
         for (int i = 0; i < n_depths; ++i)
           {
-            const double depth = std::exp(depths[i]);
+            const double depth = depth_of[i];
             const double peak =
               depth * std::erf(dip.deficit / depth / (2. * std::sqrt(2.) * b));
             result(i, k) = -0.5 * square((dip.peak - peak) / peak_error);

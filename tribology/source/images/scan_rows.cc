@@ -44,34 +44,61 @@ namespace squeal::tribology
 
 
 
-    /** By how much the @p n rows from @p y on are darker than what is above and
-     * below at column @p x; 0 where their edges are no steps. */
-    float
-    step_of(const cv::Mat1f &means,
-            const int        y,
-            const int        n,
-            const int        x,
-            const float      noise)
+    /** The @p n rows from one on against what is above and below them. */
+    class RowSteps
     {
-      const float above = 0.5F * (means(y - 2, x) + means(y - 3, x)),
-                  below = 0.5F * (means(y + n + 1, x) + means(y + n + 2, x)),
-                  flank = 0.5F * (above + below);
-      float inner       = 0.F;
-      for (int k = 0; k < n; ++k)
-        inner += means(y + k, x) / float(n);
-      const float depth = flank - inner;
-      if (depth < std::max(least_darkening, least_over_noise * noise) ||
-          std::abs(above - below) > alike_flanks * depth)
-        return 0.F;
-      const float within = sharp_edge * depth + noise;
-      if (std::abs(means(y - 1, x) - above) > within ||
-          std::abs(means(y + n, x) - below) > within)
-        return 0.F;
-      for (int k = 0; k < n; ++k)
-        if (std::abs(means(y + k, x) - inner) > within)
+    public:
+      RowSteps(const cv::Mat1f &means,
+               const int        y,
+               const int        n,
+               const float      noise)
+        : noise(noise)
+        , least(std::max(least_darkening, least_over_noise * noise))
+        , inner(means.cols, 0.F)
+        , above(means.cols)
+        , below(means.cols)
+        , before(means[y - 1])
+        , after(means[y + n])
+      {
+        for (int k = 0; k < n; ++k)
+          rows.push_back(means[y + k]);
+        const float *above_1 = means[y - 2], *above_2 = means[y - 3],
+                    *below_1 = means[y + n + 1], *below_2 = means[y + n + 2];
+        for (const float *row : rows)
+          for (int x = 0; x < means.cols; ++x)
+            inner[x] += row[x] / float(n);
+        for (int x = 0; x < means.cols; ++x)
+          {
+            above[x] = 0.5F * (above_1[x] + above_2[x]);
+            below[x] = 0.5F * (below_1[x] + below_2[x]);
+          }
+      }
+
+      /** By how much they are darker at column @p x; 0 where their edges are no
+       * steps. */
+      float
+      at(const int x) const
+      {
+        const float depth = 0.5F * (above[x] + below[x]) - inner[x];
+        if (depth < least ||
+            std::abs(above[x] - below[x]) > alike_flanks * depth)
           return 0.F;
-      return depth;
-    }
+        const float within = sharp_edge * depth + noise;
+        if (std::abs(before[x] - above[x]) > within ||
+            std::abs(after[x] - below[x]) > within)
+          return 0.F;
+        for (const float *row : rows)
+          if (std::abs(row[x] - inner[x]) > within)
+            return 0.F;
+        return depth;
+      }
+
+    private:
+      float                      noise, least;
+      std::vector<float>         inner, above, below; // means by column
+      const float               *before, *after;
+      std::vector<const float *> rows;
+    };
 
 
 
@@ -145,21 +172,18 @@ namespace squeal::tribology
     std::vector<Piece>
     candidates(const cv::Mat1f &means, const int y, const int n, float noise)
     {
+      const RowSteps     steps(means, y, n, noise);
       std::vector<Piece> pieces;
       for (int x = 0; x < means.cols;)
         {
           Piece piece;
           int   end = x;
-          for (float d;
-               end < means.cols && (d = step_of(means, y, n, end, noise)) > 0.F;
-               ++end)
+          for (float d; end < means.cols && (d = steps.at(end)) > 0.F; ++end)
             piece.depth = std::max(piece.depth, d);
           int first = x, last = end;
-          while (first < last &&
-                 step_of(means, y, n, first, noise) < 0.5F * piece.depth)
+          while (first < last && steps.at(first) < 0.5F * piece.depth)
             ++first;
-          while (first < last &&
-                 step_of(means, y, n, last - 1, noise) < 0.5F * piece.depth)
+          while (first < last && steps.at(last - 1) < 0.5F * piece.depth)
             --last;
           piece.box = {first, y, last - first, n};
           if (piece.box.width >= shortest_piece)
