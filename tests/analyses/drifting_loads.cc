@@ -201,6 +201,37 @@ end
     check(has(steady, "/Ramp time' ("), "a ramp without effect is warned of");
   }
 
+  /** What run.json says of the trigger. */
+  std::string
+  outcome_of_blow(const std::string &force, const std::string &sample_interval)
+  {
+    runs({"Transient/Hammer/Body = block",
+          "Transient/Hammer/Face = z_max",
+          "Transient/Hammer/Force = 0, 0, " + force,
+          "Transient/Hammer/Time = 0.02",
+          "Transient/Hammer/Duration = 2e-4",
+          "Eigenvalues/Highest frequency = 100",
+          "Transient/Sample interval = " + sample_interval});
+    const std::string text  = text_of("out/run.json");
+    const std::size_t begin = text.find("\"outcome\"");
+    check(begin != std::string::npos, "there is an outcome of the trigger");
+    return text.substr(begin, text.find('\n', begin) - begin);
+  }
+
+  /** Every step counts, however few samples are kept of the motion. */
+  void
+  outcomes_by_steps()
+  {
+    for (const char *force : {"-20", "2000"})
+      {
+        const std::string fine   = outcome_of_blow(force, "5e-5"),
+                          coarse = outcome_of_blow(force, "4e-3");
+        check(fine == coarse,
+              "N " + std::string(force) + ": " + fine + " with many samples, " +
+                coarse + " with few");
+      }
+  }
+
   void
   refused(const std::vector<std::string> &settings,
           const std::vector<std::string> &parts,
@@ -343,8 +374,10 @@ main(int argc, char **argv)
     triggers();
   else if (which == "refusals")
     refusals();
+  else if (which == "outcomes")
+    outcomes_by_steps();
   else if (which == "sound")
     sounds();
   else
-    check(false, "a part: drifts, triggers, refusals or sound");
+    check(false, "a part: drifts, triggers, outcomes, refusals or sound");
 }

@@ -197,12 +197,19 @@ namespace squeal
                  : mean_value(values_between(record, normals, from, to));
       }
 
+      /** Of the last step, or of the last sample, s. */
+      double
+      last_time() const
+      {
+        return steps.empty() ? record.samples.back().time : ends.back();
+      }
+
       /** Time from @p from to the end of the last window, of about
        * @p window, s, whose rms is above @p level; 0: none. */
       double
       lasting(const double from, const double window, const double level) const
       {
-        const double last   = record.samples.back().time;
+        const double last   = last_time();
         double       result = 0.;
         for (double begin = from; begin + window <= last * (1. + 1e-9);)
           {
@@ -267,8 +274,8 @@ namespace squeal
     {
       const double        begin = trigger.first, end = trigger.second;
       const auto         &samples = record.samples;
-      const double        last    = samples.back().time;
       const ForceOverTime force(record, pair, time_step);
+      const double        last = force.last_time();
       const double   mean = pair.share * force.mean_normal(0.9 * last, last);
       TriggerOutcome r;
       r.pair               = pair;
@@ -349,7 +356,8 @@ namespace squeal
       PairOutcome result = judged;
       if (pair.is_beside_sums())
         return result;
-      const double last = record.samples.back().time, end = trigger.second;
+      const double last = ForceOverTime(record, pair, time_step).last_time(),
+                   end  = trigger.second;
       for (const auto &[from, to] : {std::make_pair(end, end + 0.1 * last),
                                      std::make_pair(0.9 * last, last)})
         {
