@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <regex>
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -201,9 +202,16 @@ end
     check(has(steady, "/Ramp time' ("), "a ramp without effect is warned of");
   }
 
-  /** What run.json says of the trigger. */
-  std::string
-  outcome_of_blow(const std::string &force, const std::string &sample_interval)
+  /** What run.json says of the trigger: a word, and N before it, after it and
+   * at the end. */
+  struct Blow
+  {
+    std::string         word;
+    std::vector<double> sizes;
+  };
+
+  Blow
+  blow(const std::string &force, const std::string &sample_interval)
   {
     runs({"Transient/Hammer/Body = block",
           "Transient/Hammer/Face = z_max",
@@ -212,10 +220,17 @@ end
           "Transient/Hammer/Duration = 2e-4",
           "Eigenvalues/Highest frequency = 100",
           "Transient/Sample interval = " + sample_interval});
-    const std::string text  = text_of("out/run.json");
-    const std::size_t begin = text.find("\"outcome\"");
-    check(begin != std::string::npos, "there is an outcome of the trigger");
-    return text.substr(begin, text.find('\n', begin) - begin);
+    const std::string text = text_of("out/run.json");
+    std::smatch       parts;
+    check(
+      std::regex_search(text,
+                        parts,
+                        std::regex("\"outcome\": \"([^:]*):.* (\\S+) N before "
+                                   "the trigger, (\\S+) N after it, (\\S+) N "
+                                   "at the end\"")),
+      "there is an outcome of the trigger");
+    return {parts[1],
+            {std::stod(parts[2]), std::stod(parts[3]), std::stod(parts[4])}};
   }
 
   /** Every step counts, however few samples are kept of the motion. */
@@ -224,11 +239,15 @@ end
   {
     for (const char *force : {"-20", "2000"})
       {
-        const std::string fine   = outcome_of_blow(force, "5e-5"),
-                          coarse = outcome_of_blow(force, "4e-3");
-        check(fine == coarse,
-              "N " + std::string(force) + ": " + fine + " with many samples, " +
-                coarse + " with few");
+        const Blow many = blow(force, "5e-5"), few = blow(force, "4e-3");
+        check(many.word == few.word,
+              std::string(force) + " N: " + many.word + " with many samples, " +
+                few.word + " with few");
+        for (unsigned int k = 0; k < 3; ++k)
+          check(std::abs(many.sizes[k] - few.sizes[k]) <
+                  1e-3 * many.sizes[k] + 1e-5, // of 100 N, rounding
+                "and as large: " + std::to_string(many.sizes[k]) + ", " +
+                  std::to_string(few.sizes[k]) + " N");
       }
   }
 
