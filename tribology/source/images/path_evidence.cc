@@ -170,7 +170,10 @@ namespace squeal::tribology
           {
             const cv::Point p(begin + x, y);
             if (centre.contains(p))
-              continue;
+              {
+                x = centre.br().x - begin - 1;
+                continue;
+              }
             for (int h = 0; h < n_directions; ++h)
               {
                 const int     other = h + n_directions;

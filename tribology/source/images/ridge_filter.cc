@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/tribology/images/filter_noise.h>
 #include <squeal/tribology/images/path_evidence.h>
 #include <squeal/tribology/images/ridge_filter.h>
 
@@ -7,9 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <tuple>
 #include <vector>
 
 namespace squeal::tribology
@@ -22,154 +20,9 @@ namespace squeal::tribology
     constexpr std::size_t most_taps      = 2 * std::size_t(half_length) + 1;
     constexpr double      flank_distance = 2.;  // in deviations
     constexpr double      second_width   = 1.5; // of a level, over the first
-    constexpr float       mean_flank = 0.2F;   // weight beside the lesser flank
-    constexpr float       heaviest_tail = 3.F; // 90th percentile over median
-    constexpr int         strip         = 32;  // rows, fits a cache
-    constexpr double      noise_block   = 64.; // pixels of the finest level
-    // Of the noise of the median block.
-    constexpr float quietest_block = 0.3F, loudest_block = 3.F;
-
-
-    /** Bits of |values|, which are in the order of the sizes. */
-    using Sizes = std::vector<std::int32_t>;
-
-
-
-    float
-    size_of_bits(const std::int32_t bits)
-    {
-      float size;
-      std::memcpy(&size, &bits, sizeof size);
-      return size;
-    }
-
-
-
-    /** Appends the size of every second value to @p sizes. */
-    void
-    append_sizes(const float *values, const int n_values, Sizes &sizes)
-    {
-      const std::size_t before = sizes.size();
-      sizes.resize(before + std::size_t(n_values + 1) / 2);
-      std::int32_t *size = sizes.data() + before;
-      for (int x = 0; x < n_values; x += 2)
-        {
-          const float value = std::abs(values[x]);
-          std::memcpy(size++, &value, sizeof value);
-        }
-    }
-
-
-
-    /** That of rank @p nth, counted from zero, below @p upper, which at least
-     * so many do not exceed. Halving what it can be counts all sizes for every
-     * bit, many at once, which takes less time than to sort them in part. */
-    std::int32_t
-    size_of_rank(const Sizes &sizes, const int nth, std::int32_t upper)
-    {
-      std::int32_t lower = 0;
-      while (lower < upper)
-        {
-          const std::int32_t middle  = lower + (upper - lower) / 2;
-          int                n_up_to = 0;
-          for (const std::int32_t size : sizes)
-            n_up_to += size <= middle ? 1 : 0;
-          if (n_up_to > nth)
-            upper = middle;
-          else
-            lower = middle + 1;
-        }
-      return lower;
-    }
-
-
-
-    /** From the 90th percentile, at most by a heavy tail above the median. */
-    float
-    spread(const Sizes &sizes)
-    {
-      const auto largest = *std::max_element(sizes.begin(), sizes.end());
-      const auto tail =
-        size_of_rank(sizes, int(9 * sizes.size() / 10), largest);
-      const int   half       = int(sizes.size() / 2);
-      const float by_tail    = size_of_bits(tail) / 1.645F;
-      const auto  limited_by = [](const std::int32_t median) {
-        return heaviest_tail * size_of_bits(median) / 0.6745F;
-      };
-      // Mostly the median does not limit anything, which one count tells.
-      int n_that_limit = 0;
-      for (const std::int32_t size : sizes)
-        n_that_limit += limited_by(size) < by_tail ? 1 : 0;
-      return n_that_limit <= half ? by_tail
-                                  : limited_by(size_of_rank(sizes, half, tail));
-    }
-
-
-
-    /** Noise by row of blocks, to interpolate between where it is needed: an
-     * image of it would take longer to write and read than to compute. */
-    struct NoiseRows
-    {
-      cv::Mat grid; // CV_32F, a row for each row of blocks
-      int     n_rows = 0;
-
-      /** The next rows of blocks beside row @p y of the image, and the share of
-       * the second. */
-      std::tuple<const float *, const float *, float>
-      beside(const int y) const
-      {
-        const auto place =
-          float((y + 0.5) / (double(n_rows) / grid.rows) - 0.5);
-        const int row = cvFloor(place);
-        return {grid.ptr<float>(std::max(row, 0)),
-                grid.ptr<float>(std::min(row + 1, grid.rows - 1)),
-                place - float(row)};
-      }
-    };
-
-
-
-    /** Spread of |values| by block from their 90th percentile, which is 1.645
-     * deviations of a normal distribution and follows heavy tails, but not
-     * those that cracks themselves make; interpolated. A block never counts as
-     * much quieter than the others, nor as much louder: a dense network of
-     * cracks would pass for noise. */
-    NoiseRows
-    local_noise(const cv::Mat &values, const double block)
-    {
-      const int nx = std::max(1, cvRound(values.cols / block));
-      const int ny = std::max(1, cvRound(values.rows / block));
-      cv::Mat1f grid(ny, nx);
-      Sizes     sizes;
-      for (int j = 0; j < ny; ++j)
-        for (int i = 0; i < nx; ++i)
-          {
-            sizes.clear();
-            const int x1 = (i + 1) * values.cols / nx;
-            const int y1 = (j + 1) * values.rows / ny;
-            for (int y = j * values.rows / ny; y < y1; y += 2)
-              {
-                const int x = i * values.cols / nx + (y / 2) % 2;
-                append_sizes(values.ptr<float>(y) + x, x1 - x, sizes);
-              }
-            if (!sizes.empty())
-              grid(j, i) = spread(sizes);
-          }
-      std::vector<float> all(grid.begin(), grid.end());
-      std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
-      // Below a thousandth of a grey level there is only rounding.
-      const float usual = all[all.size() / 2];
-      cv::max(grid, std::max(quietest_block * usual, 1e-3F), grid);
-      cv::min(grid, std::max(loudest_block * usual, 1e-3F), grid);
-      cv::GaussianBlur(
-        grid, grid, cv::Size(3, 3), 0., 0., cv::BORDER_REPLICATE);
-      NoiseRows noise;
-      noise.n_rows = values.rows;
-      cv::resize(
-        grid, noise.grid, cv::Size(values.cols, ny), 0., 0., cv::INTER_LINEAR);
-      return noise;
-    }
-
+    constexpr float       mean_flank  = 0.2F; // weight beside the lesser flank
+    constexpr int         strip       = 32;   // rows, fits a cache
+    constexpr double      noise_block = 64.;  // pixels of the finest level
 
 
     cv::Mat
@@ -207,12 +60,13 @@ namespace squeal::tribology
                  const double   deviation,
                  const double   block)
         : size(grey.size())
-        , block(block)
         , flank(flank_distance * deviation)
         , step(std::max(1., deviation))
         , n_taps(2 * cvRound(half_length * deviation / step) + 1)
         , margin(int(std::ceil(flank)) + 1)
         , wide(margin + int(std::ceil(half_length * deviation)) + 2)
+        , mean(size.width)
+        , answers(size, block)
       {
         cv::Mat smooth;
         cv::GaussianBlur(grey,
@@ -225,45 +79,28 @@ namespace squeal::tribology
           smooth, padded, wide, wide, wide, wide, cv::BORDER_REFLECT_101);
       }
 
-      /** Contrast over noise, limited, as stored in OrientedContrast, goes to
-       * @p largest where that is empty or less; before the limits to
-       * @p unlimited. */
+      /** Compares lines along @p angle with their flanks. */
       void
-      contrast(const double angle, cv::Mat &largest, cv::Mat &unlimited)
+      compare(const double angle)
       {
-        const int nx = cvRound(-flank * std::sin(angle));
-        const int ny = cvRound(flank * std::cos(angle));
+        nx = cvRound(-flank * std::sin(angle));
+        ny = cvRound(flank * std::cos(angle));
         mixed.create(size, CV_32F);
-        mean.create(size, CV_32F);
-        const bool is_first = largest.empty();
-        if (is_first)
-          largest.create(size, CV_16S);
         const std::vector<cv::Point> taps = taps_along(angle);
         for (int y = 0; y < size.height; y += strip)
-          compare_strip(y, std::min(y + strip, size.height), taps, nx, ny);
-        constexpr auto  lowest  = float(OrientedContrast::least);
-        constexpr auto  highest = float(OrientedContrast::most);
-        const NoiseRows noise   = local_noise(mean, block);
-        cv::Mat         limited(1, size.width, CV_32F), stored;
-        for (int y = 0; y < size.height; ++y)
-          {
-            float *m = mixed.ptr<float>(y), *u = unlimited.ptr<float>(y);
-            float *l                          = limited.ptr<float>();
-            const auto [before, after, share] = noise.beside(y);
-            for (int x = 0; x < size.width; ++x)
-              m[x] /= before[x] * (1.F - share) + after[x] * share;
-            silence_border(m, y, std::abs(nx), std::abs(ny));
-            for (int x = 0; x < size.width; ++x)
-              {
-                u[x] = std::max(u[x], m[x]);
-                l[x] = std::min(std::max(m[x], lowest), highest);
-              }
-            cv::Mat row = largest.row(y);
-            limited.convertTo(
-              is_first ? row : stored, CV_16S, OrientedContrast::per_unit);
-            if (!is_first)
-              cv::max(row, stored, row);
-          }
+          compare_strip(y, std::min(y + strip, size.height), taps);
+        noise = answers.finish();
+      }
+
+      /** Contrast over noise in row @p y, for the angle that was compared. */
+      void
+      contrast(const int y, float *values) const
+      {
+        const float *m                    = mixed.ptr<float>(y);
+        const auto [before, after, share] = noise.beside(y);
+        for (int x = 0; x < size.width; ++x)
+          values[x] = m[x] / (before[x] * (1.F - share) + after[x] * share);
+        silence_border(values, y);
       }
 
     private:
@@ -284,14 +121,12 @@ namespace squeal::tribology
 
 
 
-      /** Rows @p begin to @p end of the means and weighted means over both
-       * flanks. A strip of averages stays in the cache. */
+      /** Rows @p begin to @p end of the weighted means over both flanks, and
+       * the noise of the means. A strip of averages stays in the cache. */
       void
       compare_strip(const int                     begin,
                     const int                     end,
-                    const std::vector<cv::Point> &taps,
-                    const int                     nx,
-                    const int                     ny)
+                    const std::vector<cv::Point> &taps)
       {
         line.create(strip + 2 * margin, size.width + 2 * margin, CV_32F);
         for (int y = 0; y < end - begin + 2 * margin; ++y)
@@ -303,14 +138,14 @@ namespace squeal::tribology
             const float *a   = line.ptr<float>(row + ny) + margin + nx;
             const float *b   = line.ptr<float>(row - ny) + margin - nx;
             float       *m   = mixed.ptr<float>(y);
-            float       *mm  = mean.ptr<float>(y);
             for (int x = 0; x < size.width; ++x)
               {
                 const float both  = 0.5F * (a[x] + b[x]) - c[x];
                 const float least = std::min(a[x], b[x]) - c[x];
-                mm[x]             = both;
+                mean[x]           = both;
                 m[x] = mean_flank * both + (1.F - mean_flank) * least;
               }
+            answers.add_row(mean.data());
           }
       }
 
@@ -345,10 +180,12 @@ namespace squeal::tribology
 
       /** No evidence in row @p y where a flank would lie outside. */
       void
-      silence_border(float *row, const int y, const int nx, const int ny) const
+      silence_border(float *row, const int y) const
       {
-        const bool is_border = y < ny || y >= size.height - ny;
-        const int  w = is_border ? size.width : std::min(nx, size.width);
+        const bool is_border =
+          y < std::abs(ny) || y >= size.height - std::abs(ny);
+        const int w =
+          is_border ? size.width : std::min(std::abs(nx), size.width);
         for (int x = 0; x < w; ++x)
           {
             row[x]       = std::min(row[x], 0.F);
@@ -358,15 +195,50 @@ namespace squeal::tribology
       }
 
       cv::Size size;
-      double   block, flank, step;
+      double   flank, step;
       int      n_taps, margin, wide;
+      int      nx = 0, ny = 0; // of a flank
       cv::Mat  padded;
-      cv::Mat  line, mixed, mean; // of one direction, kept for the next
+      // Of one direction, kept for the next.
+      cv::Mat            line, mixed;
+      std::vector<float> mean; // of a row
+      FilterNoise        answers;
+      NoiseRows          noise;
     };
 
 
 
-    /** The better of two widths. */
+    /** The better of two widths, as stored in OrientedContrast, goes to
+     * @p plane, and before the limits to @p unlimited where that is less. */
+    void
+    keep_better(const LineFilter &narrow,
+                const LineFilter &wide,
+                cv::Mat          &plane,
+                cv::Mat          &unlimited)
+    {
+      constexpr auto     lowest  = float(OrientedContrast::least);
+      constexpr auto     highest = float(OrientedContrast::most);
+      std::vector<float> other(unlimited.cols);
+      cv::Mat            better(1, unlimited.cols, CV_32F);
+      plane.create(unlimited.size(), CV_16S);
+      for (int y = 0; y < unlimited.rows; ++y)
+        {
+          float *b = better.ptr<float>(), *u = unlimited.ptr<float>(y);
+          narrow.contrast(y, b);
+          wide.contrast(y, other.data());
+          for (int x = 0; x < unlimited.cols; ++x)
+            {
+              const float value = std::max(b[x], other[x]);
+              u[x]              = std::max(u[x], value);
+              b[x]              = std::min(std::max(value, lowest), highest);
+            }
+          cv::Mat row = plane.row(y);
+          better.convertTo(row, CV_16S, OrientedContrast::per_unit);
+        }
+    }
+
+
+
     OrientedContrast
     contrast_of_level(const cv::Mat &level,
                       const double   narrowest,
@@ -380,8 +252,9 @@ namespace squeal::tribology
       for (int t = 0; t < n_ridge_directions; ++t)
         {
           const double angle = CV_PI * t / n_ridge_directions;
-          narrow.contrast(angle, contrast.planes[t], unlimited);
-          wide.contrast(angle, contrast.planes[t], unlimited);
+          narrow.compare(angle);
+          wide.compare(angle);
+          keep_better(narrow, wide, contrast.planes[t], unlimited);
         }
       return contrast;
     }
