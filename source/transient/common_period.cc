@@ -13,8 +13,9 @@ namespace squeal
      * Spectrum::fundamental(). */
     constexpr unsigned int most_multiples = 4;
 
-    /** Share by which two frequencies of one line may differ. */
-    constexpr double same_line = 0.02;
+    /** Share by which two frequencies of one line may differ: of one that is
+     * modulated, lines lie beside it. */
+    constexpr double same_line = 0.05;
 
     /** A signal between two frequencies and what its own lines tell. */
     struct SignalLines
@@ -49,6 +50,17 @@ namespace squeal
         return f <= (1. + same_line) * largest &&
                spectrum.correlation(f, lowest, highest) >=
                  best - most_aperiodic;
+      }
+
+      /** Whether the largest line is one of the multiples of @p f, as far as
+       * lines can be told apart: in a motion that is modulated lines lie beside
+       * them, and it comes back almost as well after the periods of both. */
+      bool
+      has_multiple(const double f) const
+      {
+        const double order = std::round(largest / f);
+        return std::abs(largest - order * f) <=
+               2. * order * spectrum.frequency[1];
       }
 
       const std::vector<double> &values;
@@ -94,8 +106,9 @@ namespace squeal
       bool               is_common; /**< to all, the first signal as well */
     };
 
-    /** The highest one up to that of the first signal with which all come back;
-     * of the loudest signal where there is none. */
+    /** The highest one up to that of the first signal, and of whose multiples
+     * its largest line is one, with which all come back; of the loudest signal
+     * where there is none. */
     ToldFrequency
     told_by_all(const AllLines &all)
     {
@@ -105,7 +118,8 @@ namespace squeal
         for (unsigned int k = 1; k <= most_multiples; ++k)
           if (const double f = s.own / k;
               f > result.frequency && f < first.own && f >= s.lowest &&
-              f > 40. * s.spectrum.frequency[1] && all_come_back(all, f))
+              f > 40. * s.spectrum.frequency[1] && first.has_multiple(f) &&
+              all_come_back(all, f))
             result = {f, &s, true};
       if (result.frequency > 0.)
         return result;

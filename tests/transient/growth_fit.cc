@@ -306,6 +306,18 @@ namespace
     check(std::abs(none.largest_line - .137 * f) < .5,
           "and the largest line is its own: " +
             std::to_string(none.largest_line));
+    // As a pin on a disc has them.
+    const double       beside = .0203 * f;
+    const MotionSignal modulated{
+      tones(dt, {{2. * f, 1.}, {2. * (f - beside), .2}, {f - beside, .15}})},
+      more{tones(dt, {{f - beside, 1.}, {f + beside, .3}})};
+    const CommonPeriod all = period_of({modulated, more});
+    check(std::abs(all.frequency - f) < .5 &&
+            std::abs(all.largest_line - 2. * f) < .5,
+          "where lines lie beside the multiples the largest one is a multiple "
+          "all the same: " +
+            std::to_string(all.frequency) + ", " +
+            std::to_string(all.largest_line));
     std::minstd_rand                 generator(7);
     std::normal_distribution<double> normal;
     MotionSignal                     noise{{}, true};
