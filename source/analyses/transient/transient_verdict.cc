@@ -205,7 +205,7 @@ namespace squeal
     const BranchResult &b = f.branches[f.leading];
     return (b.fit.rate > 0. ? "grows by " : "decays by ") +
            rate_text(std::abs(b.fit.rate), b.fit) + " at " +
-           rounded_text(b.frequency, 5) + " Hz";
+           rounded_text(b.fit.frequency, 5) + " Hz";
   }
 
 
