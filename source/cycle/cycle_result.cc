@@ -90,4 +90,12 @@ namespace squeal
       }
     unknown_choice("status of a cycle");
   }
+
+  bool
+  CycleResult::may_settle() const
+  {
+    return !has_converged() && broken_off.empty() && run.lasts &&
+           coarse.status != CycleStatus::aperiodic &&
+           coarse.status != CycleStatus::steady_sliding;
+  }
 } // namespace squeal

@@ -31,6 +31,11 @@ namespace squeal
     constexpr double       much_nearer   = 0.5;
     /** A motion that comes back nearer may have a period that was not found. */
     constexpr double may_have_period = 0.05;
+    /** A force that repeats itself so well is that of a motion that settles. */
+    constexpr double repeats_itself = 0.97;
+    /** A disturbance that has decayed by the factor e as often as this is
+     * gone. */
+    constexpr double decays_of_settling = 5.;
     /** Room for that of the period while it is sought. */
     constexpr double growth_of_period = 1.1;
     MotionState
@@ -203,6 +208,40 @@ namespace squeal
                           " Hz has broken off: " + why.what();
     }
 
+    /** See CycleResult::settling_time. */
+    double
+    settling_time_of(const LinearizedMotion &linear)
+    {
+      double result = 0.;
+      for (const std::complex<double> l : linear.lambda)
+        if (l.real() < 0. && l.imag() > 0.)
+          result = std::max(result, -decays_of_settling / l.real());
+      return result;
+    }
+
+    /** Whether the motion of @p run, in which nothing was found, is known to
+     * last without a period: a disturbance of it grows, or it comes no nearer
+     * although all that decays has had the time to. Else it may still settle,
+     * which the forces of a short run do not tell. */
+    bool
+    is_aperiodic(const LeadingRun &run,
+                 const RunFigures &figures,
+                 const double      settling_time)
+    {
+      if (!figures.lasts || figures.recurrence <= may_have_period ||
+          figures.repetition >= repeats_itself)
+        return false;
+      try
+        {
+          return run.disturbance_grows() ||
+                 (figures.time >= settling_time && run.has_stopped_nearing());
+        }
+      catch (const ComputationError &)
+        {
+          return false;
+        }
+    }
+
     /** Seeks the periodic motion that @p run comes to. */
     CycleResult
     along(LeadingRun                 &run,
@@ -248,7 +287,7 @@ namespace squeal
       result.run     = run.figures();
       result.run_end = run.end();
       if (!result.has_converged() && result.broken_off.empty() &&
-          result.run.lasts && result.run.recurrence > may_have_period)
+          is_aperiodic(run, result.run, result.settling_time))
         result.coarse.status = CycleStatus::aperiodic;
       return result;
     }
@@ -362,8 +401,9 @@ namespace squeal
                     const LimitCycleParameters &settings)
     {
       CycleResult  result;
-      const double period = 2. * M_PI / linear.lambda[k].imag();
-      result.pair         = linear.lambda[k];
+      const double period  = 2. * M_PI / linear.lambda[k].imag();
+      result.pair          = linear.lambda[k];
+      result.settling_time = settling_time_of(linear);
       set_start_amplitudes(
         change_amplitudes(
           map,

@@ -19,6 +19,41 @@ namespace squeal
     constexpr double lasting_forces = 0.1;
     /** Parts that tell what a motion is. */
     constexpr std::size_t n_told = 3;
+    /** A disturbance is this share of the velocities, and has grown clearly
+     * where it is so many times as large: by some tens it also grows in motions
+     * that settle, for a while. */
+    constexpr double disturbed_share = 1e-5, clear_growth_of_run = 1000.;
+    /** Of a motion that settles the nearest return falls below this share in
+     * the second half of a time of some decays. */
+    constexpr double stopped_nearing = 0.8;
+
+    /** Distance, in the norm of energy_norm(), of @p state from the straight
+     * line through two successive states of a motion. */
+    double
+    distance_beside(const ReducedContactModel &model,
+                    const MotionState         &state,
+                    const MotionState         &one_before,
+                    const MotionState         &end)
+    {
+      // The square over the place on the line is a parabola.
+      const auto square_at = [&](const double share) {
+        const auto between = [&](Eigen::VectorXd MotionState::*x) {
+          return Eigen::VectorXd(end.*x + share * (end.*x - one_before.*x));
+        };
+        return std::pow(energy_norm(model,
+                                    state,
+                                    {between(&MotionState::coordinates),
+                                     between(&MotionState::velocities),
+                                     between(&MotionState::forces)}),
+                        2);
+      };
+      const double here = square_at(0.), ahead = square_at(1.),
+                   back  = square_at(-1.);
+      const double slope = .5 * (ahead - back),
+                   bend  = .5 * (ahead + back) - here;
+      return std::sqrt(
+        std::max(0., bend > 0. ? here - .25 * slope * slope / bend : here));
+    }
   } // namespace
 
 
@@ -44,13 +79,17 @@ namespace squeal
   {
     const double length = n_steps * dt;
     const Orbit run = map.run_plainly(place.state, length, n_steps, place.past);
-    place           = {run.end(), run.past_of(n_steps), place.time + length};
+    last_ends.push_back({place, run.states[n_steps - 1], run.end()});
+    if (last_ends.size() > n_told)
+      last_ends.erase(last_ends.begin());
+    place = {run.end(), run.past_of(n_steps), place.time + length};
     time += length;
     last_forces.push_back(pair_forces(map, run));
     if (last_forces.size() > n_told)
       last_forces.erase(last_forces.begin());
     rms_forces.push_back(rms_forces_of(last_forces.back()));
     last_returns = recurrences(map.reduced_model(), run, shortest, length);
+    nearest.push_back(nearest_return());
     return time + .5 * length < longest;
   }
 
@@ -83,6 +122,38 @@ namespace squeal
       rms_forces.end() - n_told, rms_forces.end(), [&](const double r) {
         return std::abs(r - mean) <= lasting_forces * mean;
       });
+  }
+
+  bool
+  LeadingRun::disturbance_grows() const
+  {
+    if (last_ends.size() < n_told)
+      return false;
+    const ReducedContactModel &model  = map.reduced_model();
+    const double               length = n_steps * dt;
+    MotionPlace                beside = last_ends.front().start;
+    const MotionState          start  = beside.state;
+    beside.state.velocities *= 1. + disturbed_share;
+    const double first = energy_norm(model, beside.state, start);
+    for (const PartEnds &part : last_ends)
+      {
+        const Orbit orbit =
+          map.run_plainly(beside.state, length, n_steps, beside.past);
+        beside = {orbit.end(), orbit.past_of(n_steps), beside.time + length};
+        const double now =
+          distance_beside(model, beside.state, part.one_before, part.end);
+        if (now > clear_growth_of_run * first)
+          return true;
+      }
+    return false;
+  }
+
+  bool
+  LeadingRun::has_stopped_nearing() const
+  {
+    const std::size_t n = nearest.size();
+    return n >= n_told &&
+           nearest[n - 1] >= stopped_nearing * nearest[(n - 1) / 2];
   }
 
 

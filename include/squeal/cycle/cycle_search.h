@@ -29,11 +29,15 @@ namespace squeal
     /** Of the start: kinetic amplitude as in LinearizedMotion, sqrt(J), at
      * which the first closed node opens or sticks, and half of those of the
      * pair of contacts that vibrates most: others may stay quiet. */
-    double             first_change = 0., half_change = 0.;
-    double             recurrence = 1.; /**< of the run before, see there */
-    RunFigures         run;             /**< what that has come to */
-    MotionPlace        run_end;         /**< and where */
-    PeriodicMotion     coarse, motion;  /**< with half the steps, with all */
+    double      first_change = 0., half_change = 0.;
+    double      recurrence = 1.; /**< of the run before, see there */
+    RunFigures  run;             /**< what that has come to */
+    MotionPlace run_end;         /**< and where */
+    /** s, in which the slowest pair of steady sliding that decays falls to less
+     * than a hundredth: what a shorter run comes to may still settle. 0: no
+     * pair decays. */
+    double             settling_time = 0.;
+    PeriodicMotion     coarse, motion; /**< with half the steps, with all */
     CycleFigures       coarse_figures, figures;
     FloquetMultipliers multipliers;
     /** Why the search has ended before anything was found; else empty. */
@@ -46,6 +50,9 @@ namespace squeal
              coarse.status == CycleStatus::converged;
     }
     std::string status() const;
+    /** Whether nothing was found though the forces of the run last: it may
+     * have been on its way to a periodic motion. */
+    bool may_settle() const;
 
     /** @name By the steps, see error_by_steps(). */
     //@{

@@ -60,6 +60,17 @@ namespace squeal
      * mean. */
     bool lasts() const;
 
+    /** Whether a small disturbance of the motion grows clearly over the last
+     * three parts, so that the motion does not settle there: followed again
+     * from their start with velocities that are larger by a trace. A shift in
+     * time is taken off: while the amplitude settles, the frequency changes
+     * with it. Throws ComputationError where a step has no solution. */
+    bool disturbance_grows() const;
+
+    /** Whether the nearest return of the last part is about as far as that of
+     * the part at half the time; of at least three parts. */
+    bool has_stopped_nearing() const;
+
     /** See recurrences(), of the last part. */
     const std::vector<std::pair<double, double>> &
     returns() const
@@ -89,8 +100,16 @@ namespace squeal
     const unsigned int n_steps; /**< of a part */
     const double       longest, shortest;
     /** See rms_forces_of(), of each part, N. */
-    std::vector<double>                    rms_forces;
-    std::vector<PairForces>                last_forces; /**< of three parts */
+    std::vector<double>     rms_forces;
+    std::vector<PairForces> last_forces; /**< of three parts */
+    /** Of a part: what tells a disturbance from a shift in time. */
+    struct PartEnds
+    {
+      MotionPlace start;
+      MotionState one_before, end; /**< the last two states */
+    };
+    std::vector<PartEnds>                  last_ends; /**< of three parts */
+    std::vector<double>                    nearest;   /**< of each part */
     std::vector<std::pair<double, double>> last_returns;
     double                                 time = 0.; /**< of all parts */
   };

@@ -89,6 +89,9 @@ namespace squeal
                   text_of_moment(cycles.back().figures, pairs);
                 !text.empty())
               context.log.warning(place_of(run) + text);
+            if (cycles.back().may_settle())
+              context.log.info("  " + place_of(run) +
+                               cycle_sentence(cycles.back(), pairs));
           }
         Timers::Section   section(context.timers, "Solve: other starts");
         const PointTrials trials = trials_of(*about,
@@ -278,6 +281,22 @@ namespace squeal
                     "'Limit cycle/Run time'");
     }
 
+    /** Warns where nothing was found, as nothing follows from that. */
+    void
+    warn_of_points_without_cycle(const Table &points, RunLog &log)
+    {
+      std::size_t n = 0;
+      for (std::size_t i = 0; i < points.n_rows(); ++i)
+        n += points.text(i, "outcome") == "no limit cycle found";
+      if (n > 0)
+        log.warning("at " + std::to_string(n) + " of " +
+                    std::to_string(points.n_rows()) +
+                    " points no limit cycle was found, which says nothing "
+                    "about whether there is one: where a motion may still "
+                    "have been settling the log names the 'Limit cycle/Run "
+                    "time' that would tell");
+    }
+
     /** The line that is heard over the first axis, one series for each value of
      * the others. */
     void
@@ -352,6 +371,7 @@ namespace squeal
     context.log.info(text.str());
     warn_of_cycles_left(tables.points, context.log);
     warn_of_undecided_motions(tables.points, context.log);
+    warn_of_points_without_cycle(tables.points, context.log);
     context.record.figures = {
       {"limit cycles", campaign_sentence(tables.points)},
       {"points", std::to_string(tables.points.n_rows())},

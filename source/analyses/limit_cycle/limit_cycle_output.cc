@@ -189,6 +189,25 @@ namespace squeal
                &RunFigures::recurrence)};
     }
 
+    /** What does not follow from a search in which nothing was found, and what
+     * would tell. */
+    std::string
+    caveat_of(const CycleResult &c)
+    {
+      const std::string tells_nothing =
+        ", which says nothing about whether there is a limit cycle";
+      if (c.may_settle())
+        return tells_nothing + "; the motion may still be settling: raise " +
+               (c.settling_time > c.run.time
+                  ? "'Limit cycle/Run time' to " +
+                      rounded_text(c.settling_time, 2) + " s"
+                  : "'Limit cycle/Run time' and 'Steps per period'");
+      if (c.status() == "aperiodic")
+        return ", by a motion of " + rounded_text(c.run.time, 2) +
+               " s: other motions may have a limit cycle";
+      return c.status() == "not converged" ? tells_nothing : "";
+    }
+
     /** What unstable cycles are left by. */
     std::string
     way_of_leaving(const FloquetMultipliers &multipliers)
@@ -354,10 +373,7 @@ namespace squeal
     if (!c.has_converged())
       return "from the pair at " +
              rounded_text(c.pair.imag() / (2. * M_PI), 6) +
-             " Hz: " + c.status() +
-             (c.status() == "not converged"
-                ? ", which says nothing about whether there is a limit cycle"
-                : "");
+             " Hz: " + c.status() + caveat_of(c);
     const CycleFigures &f = c.figures;
     const std::string   kind =
       c.multipliers.stability() == "at its limit"
