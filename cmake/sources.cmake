@@ -181,6 +181,7 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/dense_quadratic.cc
     source/eigen/dense_scaling.cc
     source/eigen/direct_solver.cc
+    source/eigen/free_motion.cc
     source/eigen/frequency_dependence.cc
     source/eigen/mass_basis.cc
     source/eigen/modal_response.cc

@@ -9,6 +9,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace squeal
@@ -91,5 +92,28 @@ namespace squeal
         ::pwrite(descriptor, text.data(), text.size(), 0) !=
           static_cast<ssize_t>(text.size()))
       throw InputError("cannot write '" + path + "': " + std::strerror(errno));
+  }
+
+
+
+  void
+  FileLock::append(const std::string &line) const
+  {
+    const std::string text = line + '\n';
+    if (::lseek(descriptor, 0, SEEK_END) < 0 ||
+        ::write(descriptor, text.data(), text.size()) !=
+          static_cast<ssize_t>(text.size()))
+      throw InputError("cannot write '" + path + "': " + std::strerror(errno));
+  }
+
+
+
+  bool
+  FileLock::is_in_place() const
+  {
+    struct stat own = {}, there = {};
+    return ::fstat(descriptor, &own) == 0 &&
+           ::stat(path.c_str(), &there) == 0 && own.st_dev == there.st_dev &&
+           own.st_ino == there.st_ino;
   }
 } // namespace squeal

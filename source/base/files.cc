@@ -12,7 +12,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <streambuf>
 #include <vector>
 
@@ -29,12 +28,6 @@ namespace squeal
     const std::string manifest_name = manifest_file_name;
     const std::string manifest_head =
       "# squeal manifest 1: results of earlier runs, removed with Overwrite";
-
-    std::string
-    reason(const int error_number)
-    {
-      return error_number == 0 ? "unknown error" : std::strerror(error_number);
-    }
 
     /** Output buffer on a file descriptor that remembers why it failed: the
      * standard file stream loses the reason. */
@@ -95,7 +88,8 @@ namespace squeal
       const int descriptor =
         ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
       if (descriptor < 0)
-        throw InputError("cannot write '" + shown + "': " + reason(errno));
+        throw InputError("cannot write '" + shown +
+                         "': " + std::strerror(errno));
 
       DescriptorBuffer buffer(descriptor);
       std::ostream     stream(&buffer);
@@ -112,7 +106,8 @@ namespace squeal
       const int close_error = ::close(descriptor) == 0 ? 0 : errno;
       const int error = buffer.error() != 0 ? buffer.error() : close_error;
       if (error != 0)
-        throw InputError("cannot write '" + shown + "': " + reason(error));
+        throw InputError("cannot write '" + shown +
+                         "': " + std::strerror(error));
     }
 
     /** Where the bytes of @p path live: links are followed, so that a rename
@@ -155,16 +150,15 @@ namespace squeal
       return names;
     }
 
-    /** Removes the files of the manifest but for @p kept. */
+    /** Removes the files @p names and the folders that become empty by it. */
     void
-    remove_listed(const fs::path &directory, const std::string &kept)
+    remove_files(const fs::path                 &directory,
+                 const std::vector<std::string> &names)
     {
       std::error_code    ignored;
       std::set<fs::path> folders;
-      for (const std::string &name : listed_files(directory))
+      for (const std::string &name : names)
         {
-          if (name == kept)
-            continue;
           const fs::path path = directory / name;
           if (!fs::is_directory(path, ignored))
             fs::remove(path, ignored);
@@ -349,7 +343,7 @@ namespace squeal
     const FileSizeLimitAsError no_signal;
     // the list is emptied last: a run that is killed meanwhile is cleaned up
     // by the next one
-    remove_listed(directory, "");
+    remove_files(directory, listed_files(directory));
     remove_scratch_directories(directory);
     try
       {
@@ -416,6 +410,7 @@ namespace squeal
                        "' would leave the output "
                        "directory: name it without '..' and without '/' in "
                        "front");
+    require_in_place();
     const fs::path path = fs::path(directory) / name;
     if (!is_root || names.count(name) > 0)
       return path.string();
@@ -431,10 +426,7 @@ namespace squeal
                        "': " + error.message());
 
     // listed before it is written: a run that is killed leaves no orphan
-    const std::string manifest = (fs::path(directory) / manifest_name).string();
-    std::ofstream     out(manifest, std::ios::app);
-    if (!(out << name << std::endl))
-      throw InputError("cannot write '" + manifest + "': " + reason(errno));
+    lock->append(name);
     names.insert(name);
     return path.string();
   }
@@ -450,6 +442,7 @@ namespace squeal
       throw InputError(entry + " = '" + name +
                        "' leaves the output directory: "
                        "give a name without '..' and without '/' in front");
+    require_in_place();
     const fs::path  path = fs::path(directory) / name;
     std::error_code error;
     if (is_root && fs::exists(path, error) && !is_state_file(path, kind))
@@ -476,11 +469,25 @@ namespace squeal
 
 
   void
+  OutputDirectory::require_in_place() const
+  {
+    if (lock && !lock->is_in_place())
+      throw InputError("the output directory '" + directory +
+                       "' was removed or replaced during the run, which gives "
+                       "no results: start it again");
+  }
+
+
+
+  void
   OutputDirectory::discard()
   {
-    if (!is_root)
-      return;
-    remove_listed(directory, log_file_name);
+    // What lies under the name of another directory is another run's.
+    if (is_root && lock->is_in_place())
+      {
+        names.erase(log_file_name);
+        remove_files(directory, {names.begin(), names.end()});
+      }
     names.clear();
   }
 

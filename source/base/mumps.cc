@@ -9,6 +9,7 @@
 #include <zmumps_c.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace squeal
@@ -78,6 +79,7 @@ namespace squeal
       return 1e6 * mumps.infog[place == FactorPlace::memory ? 15 : 25];
     }
 
+    void require_finite() const;
     void choose_place();
     void put_on_disk();
     void factorize();
@@ -274,6 +276,29 @@ namespace squeal
 
 
 
+  /** Values so far below the largest number that neither sums of duplicates nor
+   * scaling overflow. */
+  constexpr double largest_value = 1e300;
+
+  /** MUMPS ends the program where numbers are not finite. Throws InputError on
+   * all ranks. */
+  template <typename Number>
+  void
+  MumpsFactorization<Number>::Implementation::require_finite() const
+  {
+    Eigen::MatrixXd n_too_large = Eigen::MatrixXd::Zero(1, 1);
+    for (const Number &value : values)
+      n_too_large(0, 0) += !(std::abs(value) < largest_value);
+    space->sum(n_too_large);
+    if (n_too_large(0, 0) > 0.)
+      throw InputError(
+        "the matrix to factorise holds numbers beyond 1e300, too large to "
+        "compute with: lower the masses and stiffnesses of Scene or "
+        "Eigenvalues/Highest frequency");
+  }
+
+
+
   template <typename Number>
   void
   MumpsFactorization<Number>::Implementation::factorize()
@@ -305,6 +330,7 @@ namespace squeal
     impl->rows    = std::move(rows);
     impl->columns = std::move(columns);
     impl->values  = std::move(values);
+    impl->require_finite();
     for (auto &i : impl->rows)
       ++i;
     for (auto &j : impl->columns)
@@ -351,6 +377,7 @@ namespace squeal
   MumpsFactorization<Number>::refactorize(std::vector<Number> values)
   {
     impl->values = std::move(values);
+    impl->require_finite();
     impl->set_values();
     impl->run(job_factorize);
     std::vector<Number>().swap(impl->values);

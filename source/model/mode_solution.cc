@@ -237,6 +237,15 @@ namespace squeal
       if (const double f = solution.modes.frequency(i);
           std::abs(f - centre) < std::abs(nearest - centre))
         nearest = f;
+    // Motions whose frequencies contact and friction take away: real
+    // eigenvalues, or stiffnesses too many orders apart for the reduced model.
+    if (is_between(nearest, p.lowest_frequency, p.highest_frequency))
+      throw InputError(
+        "Eigenvalues/Lowest frequency and Highest frequency: of the modes in "
+        "the band, as that at " +
+        rounded_text(nearest, 6) +
+        " Hz, friction and damping leave no eigenvalue there: look whether a "
+        "stiffness of Scene is too large, or widen the band");
     throw InputError(
       "Eigenvalues/Lowest frequency and Highest frequency: the band from " +
       rounded_text(p.lowest_frequency, 6) + " to " +
@@ -251,33 +260,26 @@ namespace squeal
   std::string
   free_motions(const Model &model, const ModeSolution &solution)
   {
-    std::vector<int> free_modes;
-    for (Eigen::Index i = 0; i < solution.modes.omega_squared.size(); ++i)
-      if (is_free_motion(solution.modes.omega_squared[i],
-                         solution.inverse->shift()))
-        free_modes.push_back(i);
-    unsigned int n = free_modes.size();
-    // The sum over all of them does not depend on how they are combined.
-    Eigen::VectorXd shares =
-      solution.energy_shares(Eigen::all, free_modes).rowwise().sum();
+    const bool is_read =
+      model.parameters().scene.kind == SceneParameters::Kind::matrices;
+    FreeMotions free = find_free_motions(
+      *solution.pencil,
+      solution.modes,
+      solution.inverse->shift(),
+      is_read ? rounding_of_read_stiffness : rounding_of_computed_stiffness);
     // Of turning bodies elastic motions may have lost their stiffness too.
-    if (n > 0 && has_turning_body(model.parameters().scene))
-      {
-        const Block free =
-          free_motions_at_rest(model, solution.inverse->shift());
-        n = free.cols();
-        if (n > 0)
-          shares = model.energy_shares(free).rowwise().sum();
-      }
-    if (n == 0)
+    if (free.shapes.cols() > 0 && has_turning_body(model.parameters().scene))
+      free = free_motions_at_rest(model, solution.inverse->shift());
+    if (free.shapes.cols() == 0)
       return "";
+    // The sum over all of them does not depend on how they are combined.
+    const Eigen::VectorXd shares =
+      model.energy_shares(free.shapes).rowwise().sum();
     std::string bodies;
     for (Eigen::Index b = 0; b < shares.size(); ++b)
       if (shares[b] > 1e-3)
         bodies += (bodies.empty() ? "" : ", ") + model.body_names()[b];
-    return std::to_string(n) +
-           (n == 1 ? " motion at 0 Hz is" : " motions at 0 Hz are") +
-           " held by nothing, of the bodies " + bodies;
+    return free.text(", of the bodies " + bodies);
   }
 
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/eigen/free_motion.h>
 #include <squeal/model/turning_modes.h>
 
 #include <Eigen/Eigenvalues>
@@ -85,21 +84,13 @@ namespace squeal
 
 
 
-  Block
+  FreeMotions
   free_motions_at_rest(const Model &model, const double limit)
   {
     const Pencil        pencil(model.linearized().system,
                         at_rest(model.parameters().scene));
     const UndampedModes modes = undamped_modes(pencil, 1e-2 * limit);
-    // Of a stiffness that is large beside the limit rounding leaves more than a
-    // share of it: then the residual is as large as what it is compared with.
-    constexpr double all_rounding = 0.5;
-    std::vector<int> free;
-    for (Eigen::Index i = 0; i < modes.omega_squared.size(); ++i)
-      if (is_free_motion(modes.omega_squared[i], limit) ||
-          modes.residual[i] > all_rounding)
-        free.push_back(i);
-    return modes.shapes(Eigen::all, free);
+    return find_free_motions(pencil, modes, limit);
   }
 
 

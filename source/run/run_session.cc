@@ -169,6 +169,7 @@ namespace squeal
             report->write(output.file("report.html"));
           }
       }
+    output.require_in_place();
     is_finished = true;
     RunLog::Lines figures(record.figures.begin(), record.figures.end());
     log.summary(figures, timers);

@@ -418,16 +418,17 @@ namespace squeal
   BasisBuilder::require_held(const UndampedModes &modes,
                              const double         shift) const
   {
-    unsigned int n = 0;
-    for (const double omega_squared : modes.omega_squared)
-      n += is_free_motion(omega_squared, shift);
-    // lambda = 0 is defective there: what it becomes is rounding.
-    if (n > 0 && options.band.lowest == 0.)
+    if (options.band.lowest > 0.)
+      return;
+    // lambda = 0 is defective there: what it becomes is rounding. The parts may
+    // have been read from files.
+    const FreeMotions free = find_free_motions(
+      anchor_list.front()->pencil, modes, shift, rounding_of_read_stiffness);
+    if (free.shapes.cols() > 0)
       throw InputError(
-        std::to_string(n) +
-        (n == 1 ? " motion at 0 Hz is" : " motions at 0 Hz are") +
-        " held by nothing: raise Eigenvalues/Lowest frequency above 0, or hold "
-        "the bodies by Scene/Supports or Scene/Springs");
+        free.text() +
+        ": raise Eigenvalues/Lowest frequency above 0, or hold the bodies by "
+        "Scene/Supports or Scene/Springs");
   }
 
 

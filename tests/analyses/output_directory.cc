@@ -207,6 +207,40 @@ namespace
 
 
 
+  /** The directory goes while the run computes; another run may have taken
+   * its name. */
+  void
+  removed_directories()
+  {
+    const std::vector<std::string> command = run_with_shapes("removed", "64");
+    const auto                     remove_when_started = [](const pid_t) {
+      wait_until([]() { return fs::exists("removed/parameters_used.prm"); });
+      fs::rename("removed", "removed_before");
+    };
+    check_line(run_program(command, {}, remove_when_started),
+               2,
+               {"'removed' was removed or replaced during the run"},
+               "a run whose directory is removed");
+    check(!fs::exists("removed"), "and it makes no new one");
+
+    fs::remove_all("removed_before");
+    const auto replace_when_started = [&](const pid_t id) {
+      remove_when_started(id);
+      fs::create_directory("removed");
+      write_text("removed/.squeal_files", "eigenvalues.csv\n");
+      write_text("removed/eigenvalues.csv", "of another run");
+    };
+    check_line(run_program(command, {}, replace_when_started),
+               2,
+               {"'removed' was removed or replaced during the run"},
+               "a run whose directory is replaced");
+    check(text_of("removed/eigenvalues.csv") == "of another run" &&
+            files_below("removed").size() == 2,
+          "it leaves the results of the other run");
+  }
+
+
+
   void
   stopped_runs()
   {
@@ -263,12 +297,19 @@ main(int argc, char **argv)
 {
   check(argc == 2, "argument: the program");
   program = argv[1];
-  for (const char *folder : {"out", "mine", "limited", "small_disk", "stopped"})
+  for (const char *folder : {"out",
+                             "mine",
+                             "limited",
+                             "small_disk",
+                             "stopped",
+                             "removed",
+                             "removed_before"})
     fs::remove_all(folder);
   write_text("good.prm", small_brake);
   links_without_a_target();
   existing_results();
   inputs_among_results();
   unwritable_places();
+  removed_directories();
   stopped_runs();
 }

@@ -12,6 +12,8 @@
 
 #include <Eigen/Dense>
 
+#include <limits>
+
 using namespace squeal;
 using squeal::testing::check;
 
@@ -123,6 +125,35 @@ namespace
       "singular",
       "a singular matrix is refused");
   }
+
+  /** MUMPS would end the program. */
+  template <typename Number>
+  void
+  test_numbers_that_overflow()
+  {
+    using Matrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+    MumpsFactorization<Number> factor(
+      std::make_shared<RowSpace>(n),
+      MumpsFactorization<Number>::Symmetry::general);
+    for (const double value : {1e302,
+                               std::numeric_limits<double>::infinity(),
+                               std::numeric_limits<double>::quiet_NaN()})
+      {
+        Matrix          A = Matrix::Identity(n, n);
+        Entries<Number> good(A, false);
+        factor.factorize(good.rows, good.columns, good.values, true);
+        A(3, 3) = value;
+        Entries<Number> bad(A, false);
+        testing::check_throws<InputError>(
+          [&] { factor.refactorize(bad.values); },
+          "beyond 1e300",
+          "a value of " + std::to_string(value) + " is refused anew");
+        testing::check_throws<InputError>(
+          [&] { factor.factorize(bad.rows, bad.columns, bad.values); },
+          "beyond 1e300",
+          "a value of " + std::to_string(value) + " is refused");
+      }
+  }
 } // namespace
 
 
@@ -134,5 +165,7 @@ main(int argc, char **argv)
   test_general<double>();
   test_general<std::complex<double>>();
   test_inertia();
+  test_numbers_that_overflow<double>();
+  test_numbers_that_overflow<std::complex<double>>();
   return 0;
 }

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <ostream>
 #include <stdexcept>
 
@@ -201,6 +202,47 @@ namespace
           "ranks other than the root create nothing");
   }
 
+  /** Two runs under one name, the directory removed between them. */
+  void
+  test_removed_directory()
+  {
+    const std::string directory = (work / "removed").string();
+    const std::string claim     = "was removed or replaced during the run";
+    auto first = std::make_unique<OutputDirectory>(directory, false);
+    put(first->file("modes.csv"), "first");
+    fs::remove_all(directory);
+    check_throws<InputError>([&] { first->file("run.json"); },
+                             claim,
+                             "a run notices that its directory was removed");
+    check_throws<InputError>(
+      [&] { first->state_file("a/rows.bin", "checkpoint", "Entry"); },
+      claim,
+      "before a state file");
+    check(!fs::exists(directory), "and makes no new one without a lock");
+
+    OutputDirectory second(directory, false);
+    put(second.file("modes.csv"), "second");
+    check_throws<InputError>([&] { first->file("modes.csv"); },
+                             claim,
+                             "of a name that it was given, too");
+    check_throws<InputError>([&] { first->require_in_place(); },
+                             claim,
+                             "a run notices that its directory was replaced");
+    first->discard();
+    first.reset();
+    check(read_file(directory + "/modes.csv") == "second",
+          "the run that fails removes nothing of the other one");
+
+    // As a process without the check would: it lists what it writes.
+    std::ofstream(directory + "/.squeal_files", std::ios::app) << "own.csv\n";
+    put(directory + "/own.csv", "first");
+    second.discard();
+    check(!fs::exists(directory + "/modes.csv") &&
+            read_file(directory + "/own.csv") == "first",
+          "a run that fails removes what it has written, not all that is "
+          "listed");
+  }
+
   void
   test_inputs_in_output_directory()
   {
@@ -252,6 +294,7 @@ main()
   test_reading();
   test_preparation();
   test_output_directory();
+  test_removed_directory();
   test_inputs_in_output_directory();
   fs::remove_all(work);
 }

@@ -34,6 +34,14 @@ namespace squeal
      * Throws InputError. */
     void rewrite(const std::string &head) const;
 
+    /** Writes @p line at the end of the file that is locked, whatever lies under
+     * its name by now. Throws InputError. */
+    void append(const std::string &line) const;
+
+    /** False once the file was removed or another one was put under its name:
+     * that one is not locked, and may be another process's own. */
+    bool is_in_place() const;
+
   private:
     const std::string path;
     int               descriptor = -1;

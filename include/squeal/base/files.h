@@ -113,7 +113,8 @@ namespace squeal
      * Path of the result @p name, which may contain folders
      * ("plots/spectrum.png"): they are created, and the name is added to the
      * manifest. Throws InputError if a file of that name is there that squeal
-     * has not written, or if the name leaves the directory.
+     * has not written, if the name leaves the directory, or as
+     * require_in_place().
      */
     std::string file(const std::string &name);
 
@@ -131,8 +132,13 @@ namespace squeal
      * be noticed. */
     bool is_owned() const;
 
+    /** Throws InputError if the directory was removed or another one was put in
+     * its place since it was prepared: nobody owns that one, or another run
+     * does. file() and state_file() ask it as well. */
+    void require_in_place() const;
+
     /** Removes what this run has written but for its log: for a run that
-     * fails. */
+     * fails. In a directory that is no longer its own it removes nothing. */
     void discard();
 
     /** Names given out so far, sorted. */

@@ -57,7 +57,7 @@ namespace squeal
   /**
    * What moves without being held, by the names of the bodies: "6 motions at
    * 0 Hz are held by nothing, of the bodies pad, support"; empty if nothing
-   * does. A motion counts below 3e-5 of the band's upper edge.
+   * does. What counts is said of find_free_motions().
    */
   std::string free_motions(const Model &model, const ModeSolution &solution);
 

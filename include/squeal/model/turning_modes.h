@@ -2,6 +2,7 @@
 #ifndef squeal_model_turning_modes_h
 #define squeal_model_turning_modes_h
 
+#include <squeal/eigen/free_motion.h>
 #include <squeal/model/mode_solution.h>
 
 #include <string>
@@ -26,9 +27,9 @@ namespace squeal
                                 const UndampedModes &modes,
                                 const double         highest);
 
-  /** Modes of the bodies at rest for which is_free_motion() of @p limit,
-   * (rad/s)^2: motions that nothing holds. */
-  Block free_motions_at_rest(const Model &model, const double limit);
+  /** Motions of the bodies at rest that nothing holds, see
+   * find_free_motions() of @p limit, (rad/s)^2. */
+  FreeMotions free_motions_at_rest(const Model &model, const double limit);
 
   /** "the bodies turn faster than ..." with the critical speed, where the
    * stiffness in the fixed frame vanishes; empty below it. */
