@@ -26,7 +26,10 @@ namespace squeal::tribology
 
 
 
-    /** Zhang and Suen's conditions for the sub-iteration @p second. */
+    /** Zhang and Suen's conditions for the sub-iteration @p second, with the
+     * three neighbours at least of Lue and Wang (1986): pixels of two are the
+     * ends of diagonal lines of two pixels, which would be eaten up from both
+     * ends. */
     bool
     is_removable(const cv::Mat &m, const cv::Point &p, const bool second)
     {
@@ -39,7 +42,7 @@ namespace squeal::tribology
           count += n[k];
           turns += !n[k] && n[(k + 1) % 8];
         }
-      if (count < 2 || count > 6 || turns != 1)
+      if (count < 3 || count > 6 || turns != 1)
         return false;
       return second ? !(n[0] && n[2] && n[6]) && !(n[0] && n[4] && n[6])
                     : !(n[0] && n[2] && n[4]) && !(n[2] && n[4] && n[6]);
@@ -47,23 +50,58 @@ namespace squeal::tribology
 
 
 
-    /** The corner of a staircase, without which the line stays connected. */
-    bool
-    is_corner(const cv::Mat &m, const cv::Point &p)
+    /** What the neighbours of a pixel tell of it. */
+    struct Surroundings
     {
-      bool n[8]; // from east, clockwise on the screen
-      for (int k = 0; k < 8; ++k)
-        n[k] = is_set(m, p + neighbour_steps[k]);
-      bool has_corner = false;
-      int  parts      = 0;
-      for (int k = 0; k < 8; k += 2)
+      Surroundings(const cv::Mat &m, const cv::Point &p)
+      {
+        bool n[8]; // from east, clockwise on the screen
+        for (int k = 0; k < 8; ++k)
+          {
+            n[k] = is_set(m, p + neighbour_steps[k]);
+            count += n[k];
+          }
+        for (int k = 0; k < 8; k += 2)
+          {
+            const int diagonal = k + 1, next = (k + 2) % 8;
+            has_corner = has_corner || (n[k] && n[next]);
+            parts += !n[k] && (n[diagonal] || n[next]);
+          }
+      }
+
+      /** Whether the line stays connected without the pixel and loses no
+       * end. */
+      bool
+      is_spare() const
+      {
+        return count > 1 && parts == 1;
+      }
+
+      int  count      = 0;
+      int  parts      = 0; /**< Yokoi's number of 8-connected parts around it */
+      bool has_corner = false; /**< of a staircase */
+    };
+
+
+
+    /** Removes what makes a line thicker than a pixel, one pixel after the
+     * other. Corners of staircases go first: they are one side of a diagonal
+     * line of two pixels, of whose end the other side begins. */
+    void
+    remove_spare_pixels(cv::Mat &line, const PixelPath &pixels)
+    {
+      for (const cv::Point &p : pixels)
         {
-          const int diagonal = k + 1, next = (k + 2) % 8;
-          has_corner = has_corner || (n[k] && n[next]);
-          // Yokoi's number of 8-connected parts around the pixel.
-          parts += !n[k] && (n[diagonal] || n[next]);
+          const Surroundings s(line, p);
+          if (s.has_corner && s.is_spare())
+            line.at<uchar>(p) = 0;
         }
-      return has_corner && parts == 1;
+      // Against the line as it was as well: no end is followed inwards.
+      const cv::Mat before = line.clone();
+      for (const cv::Point &p : pixels)
+        if (is_set(line, p) && Surroundings(before, p).is_spare() &&
+            Surroundings(line, p).is_spare())
+          line.at<uchar>(p) = 0;
     }
 
 
@@ -164,10 +202,8 @@ namespace squeal::tribology
                          active.end());
           }
       }
-    // Corners would look like junctions.
-    for (const cv::Point &p : active)
-      if (is_corner(result, p))
-        result.at<uchar>(p) = 0;
+    // They would look like junctions.
+    remove_spare_pixels(result, active);
     return result;
   }
 

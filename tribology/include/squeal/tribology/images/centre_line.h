@@ -10,8 +10,10 @@ namespace squeal::tribology
 {
   using PixelPath = std::vector<cv::Point>;
 
-  /** Skeleton of @p mask (CV_8U, 0 or 255) by Zhang and Suen's thinning,
-   * without the corners of staircases, which would look like junctions. */
+  /** Skeleton of @p mask (CV_8U, 0 or 255), one pixel thin, by Zhang and Suen's
+   * thinning with the change of Lue and Wang (1986) for diagonal lines. What is
+   * then left of two pixels goes one pixel after the other: corners of
+   * staircases would look like junctions. */
   cv::Mat thin(const cv::Mat &mask);
 
   /** Removes branches of a skeleton of at most @p n pixels that end in a
