@@ -81,7 +81,7 @@ namespace
           const cv::Point2d middle(95. + random.uniform(-0.5, 0.5),
                                    95. + random.uniform(-0.5, 0.5));
           const cv::Mat     mask = straight_line(width, degrees, middle);
-          const cv::Mat     line = thin(mask);
+          const cv::Mat     line = thin_marks(mask);
           const std::string place =
             cv::format("%.1f px at %d degrees", width, degrees);
           missing.add(length - width - extent_of(line), place);
@@ -133,7 +133,7 @@ namespace
         cv::Mat mask = cv::Mat::zeros(n, n, CV_8U);
         for (int i = 0; i < 128; ++i)
           mask(cv::Rect(95 + sign * (i - 64), 30 + i, 2, 1)).setTo(255);
-        const cv::Mat line = thin(mask);
+        const cv::Mat line = thin_marks(mask);
         check(beside_way(line) == 0. && cv::countNonZero(line) >= 127,
               "two diagonals side by side become one");
       }

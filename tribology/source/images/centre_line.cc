@@ -26,12 +26,13 @@ namespace squeal::tribology
 
 
 
-    /** Zhang and Suen's conditions for the sub-iteration @p second, with the
-     * three neighbours at least of Lue and Wang (1986): pixels of two are the
-     * ends of diagonal lines of two pixels, which would be eaten up from both
-     * ends. */
+    /** Zhang and Suen's conditions for the sub-iteration @p second, with
+     * @p least neighbours. */
     bool
-    is_removable(const cv::Mat &m, const cv::Point &p, const bool second)
+    is_removable(const cv::Mat   &m,
+                 const cv::Point &p,
+                 const int        least,
+                 const bool       second)
     {
       bool n[8]; // clockwise from north
       for (int k = 0; k < 8; ++k)
@@ -42,10 +43,31 @@ namespace squeal::tribology
           count += n[k];
           turns += !n[k] && n[(k + 1) % 8];
         }
-      if (count < 3 || count > 6 || turns != 1)
+      if (count < least || count > 6 || turns != 1)
         return false;
       return second ? !(n[0] && n[2] && n[6]) && !(n[0] && n[4] && n[6])
                     : !(n[0] && n[2] && n[4]) && !(n[2] && n[4] && n[6]);
+    }
+
+
+
+    /** The corner of a staircase, without which the line stays connected. */
+    bool
+    is_corner(const cv::Mat &m, const cv::Point &p)
+    {
+      bool n[8]; // from east, clockwise on the screen
+      for (int k = 0; k < 8; ++k)
+        n[k] = is_set(m, p + neighbour_steps[k]);
+      bool has_corner = false;
+      int  parts      = 0;
+      for (int k = 0; k < 8; k += 2)
+        {
+          const int diagonal = k + 1, next = (k + 2) % 8;
+          has_corner = has_corner || (n[k] && n[next]);
+          // Yokoi's number of 8-connected parts around the pixel.
+          parts += !n[k] && (n[diagonal] || n[next]);
+        }
+      return has_corner && parts == 1;
     }
 
 
@@ -102,6 +124,40 @@ namespace squeal::tribology
         if (is_set(line, p) && Surroundings(before, p).is_spare() &&
             Surroundings(line, p).is_spare())
           line.at<uchar>(p) = 0;
+    }
+
+
+
+    /** Takes pixels with @p least neighbours away from all sides of @p result;
+     * returns those that are left. */
+    PixelPath
+    shrink(cv::Mat &result, const int least)
+    {
+      PixelPath active;
+      cv::findNonZero(result, active);
+      for (bool changed = true; changed;)
+        {
+          changed = false;
+          for (const bool second : {false, true})
+            {
+              PixelPath removed;
+              for (const cv::Point &p : active)
+                if (is_removable(result, p, least, second))
+                  removed.push_back(p);
+              for (const cv::Point &p : removed)
+                result.at<uchar>(p) = 0;
+              if (removed.empty())
+                continue;
+              changed = true;
+              active.erase(std::remove_if(active.begin(),
+                                          active.end(),
+                                          [&](const cv::Point &p) {
+                                            return result.at<uchar>(p) == 0;
+                                          }),
+                           active.end());
+            }
+        }
+      return active;
     }
 
 
@@ -177,31 +233,22 @@ namespace squeal::tribology
   cv::Mat
   thin(const cv::Mat &mask)
   {
-    cv::Mat   result = mask.clone();
-    PixelPath active;
-    cv::findNonZero(result, active);
-    for (bool changed = true; changed;)
-      {
-        changed = false;
-        for (const bool second : {false, true})
-          {
-            PixelPath removed;
-            for (const cv::Point &p : active)
-              if (is_removable(result, p, second))
-                removed.push_back(p);
-            for (const cv::Point &p : removed)
-              result.at<uchar>(p) = 0;
-            if (removed.empty())
-              continue;
-            changed = true;
-            active.erase(std::remove_if(active.begin(),
-                                        active.end(),
-                                        [&](const cv::Point &p) {
-                                          return result.at<uchar>(p) == 0;
-                                        }),
-                         active.end());
-          }
-      }
+    cv::Mat         result = mask.clone();
+    const PixelPath active = shrink(result, 2);
+    // Corners would look like junctions.
+    for (const cv::Point &p : active)
+      if (is_corner(result, p))
+        result.at<uchar>(p) = 0;
+    return result;
+  }
+
+
+
+  cv::Mat
+  thin_marks(const cv::Mat &mask)
+  {
+    cv::Mat         result = mask.clone();
+    const PixelPath active = shrink(result, 3);
     // They would look like junctions.
     remove_spare_pixels(result, active);
     return result;

@@ -77,7 +77,7 @@ namespace squeal::tribology
                      before, mask, end, before_outline * widest + and_pixels),
                    255);
         }
-      line = thin(line);
+      line = thin_marks(line);
     }
 
 
@@ -124,7 +124,7 @@ namespace squeal::tribology
   {
     const cv::Mat1f half = half_widths_of(mask);
     MaskLine        result;
-    result.line = thin(mask);
+    result.line = thin_marks(mask);
     remove_spurs(result.line, longest_mask_spur, half);
     double square = 0.;
     for (const LineEnd &end : line_ends(result.line))
