@@ -294,6 +294,20 @@ namespace
                       1e-12,
                       "they last to the last sample: " + name);
         }
+    for (const double rounding : {-2e-9, -1e-10, 2e-9, 1e-3})
+      for (const double phase : {0., 1., 3., 5.})
+        for (const unsigned int chunk : {7, 4096})
+          {
+            write_history(33, [&](const std::size_t i) {
+              return 1e6 + 5e5 * std::sin(2. * M_PI * (i % 16) / 16. + phase) +
+                     (i == 32 ? rounding : 0.);
+            });
+            const HistoryDamage ended = count(f, chunk);
+            check_close(ended.nodes[0].cycles / ended.period,
+                        1. / (16. * interval),
+                        1e-12,
+                        "an end beside the beginning by rounding is no cycle");
+          }
     write_history(20, [](std::size_t) { return 1e6; });
     const HistoryDamage steady = count(f);
     check(steady.period == steady.duration, "a steady load ends as it begins");

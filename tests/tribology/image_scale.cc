@@ -211,6 +211,45 @@ namespace
             n_notes("Store resolution = 640 * 480\r\n") == 0,
           "the log tells where nothing tells copies");
   }
+
+
+
+  /** The length of a bar of 100 pixels in a JEOL text, whose unit may stand
+   * apart; one in a unit that is not known is no scale, which is told. */
+  void
+  check_units_of_jeol()
+  {
+    cv::Mat values(64, 64, CV_8U, cv::Scalar(90));
+    values.row(0) = 91;
+    write_png("units.png", values);
+    const auto size_by = [](const std::string &marker) {
+      write_text("units.txt",
+                 "$CM_FORMAT JEOL\r\n$$SM_MICRON_BAR 100\r\n"
+                 "$$SM_MICRON_MARKER " +
+                   marker + "\r\n$CM_MAG 500\r\n");
+      return read_micrograph("units.png", 0.).pixel_size;
+    };
+    const std::pair<const char *, double> known[] = {{"100 nm", 1e-3},
+                                                     {"100nm", 1e-3},
+                                                     {"500pm", 5e-6},
+                                                     {"100", 1.},
+                                                     {"0,5um", 5e-3},
+                                                     {"50\xb5m", 0.5},
+                                                     {"50 \xc2\xb5m", 0.5},
+                                                     {"50\xce\xbcm", 0.5},
+                                                     {"2 mm", 20.},
+                                                     {"2cm", 200.}};
+    for (const auto &[marker, size] : known)
+      check_close(size_by(marker), size, 1e-12, marker);
+    for (const char *marker : {"100NM", "1e2A", "100 inch", "um", ""})
+      check_throws<InputError>([&]() { size_by(marker); },
+                               "of its JEOL text is no length",
+                               std::string("no scale by ") + marker);
+    check_close(read_micrograph("units.png", 2.).pixel_size,
+                2.,
+                1e-12,
+                "unless the pixel size is given");
+  }
 } // namespace
 
 
@@ -218,6 +257,7 @@ namespace
 int
 main()
 {
+  check_units_of_jeol();
   check_scale_bars();
   check_labelled_scale_bars();
   check_place_of_scale_bar();

@@ -131,17 +131,15 @@ namespace squeal::tribology
 
 
     /**
-     * Time that the cycles of a history take, s. One that repeats begins anew
-     * an interval behind its last sample, unless that is the first one again:
+     * Whether a history that repeats ends with the sample with which it begins:
      * @p first and @p last hold the stresses of all nodes, @p bounds the lowest
      * and the highest stress there is, Pa.
      */
-    double
-    counted_time(const HistoryDamage         &result,
-                 const FatigueParameters     &fatigue,
-                 const Eigen::VectorXd       &first,
-                 const Eigen::VectorXd       &last,
-                 const std::array<double, 2> &bounds)
+    bool
+    is_closed(const FatigueParameters     &fatigue,
+              const Eigen::VectorXd       &first,
+              const Eigen::VectorXd       &last,
+              const std::array<double, 2> &bounds)
     {
       // the latter is what 32-bit numbers round to
       constexpr double repeated = 1e-6, rounding_of_file = 2e-7;
@@ -149,7 +147,19 @@ namespace squeal::tribology
         repeated * (bounds[1] - bounds[0]) +
         rounding_of_file * std::max(std::abs(bounds[0]), std::abs(bounds[1]));
       return fatigue.residue == FatigueParameters::Residue::repeating &&
-                 (last - first).cwiseAbs().maxCoeff() > alike
+             (last - first).cwiseAbs().maxCoeff() <= alike;
+    }
+
+
+
+    /** Time that the cycles of a history take, s. One that repeats begins anew
+     * an interval behind its last sample, unless it is closed. */
+    double
+    counted_time(const HistoryDamage     &result,
+                 const FatigueParameters &fatigue,
+                 const bool               closed)
+    {
+      return fatigue.residue == FatigueParameters::Residue::repeating && !closed
                ? result.duration * result.samples / (result.samples - 1.)
                : result.duration;
     }
@@ -359,7 +369,8 @@ namespace squeal::tribology
                                 : std::vector<StatusChange>();
     SurfaceSummer   summer(reader.layout(), surface, changes);
     PeakLoss        loss(fatigue, n);
-    Eigen::VectorXd begin, end; // stresses of the first and last sample
+    Eigen::VectorXd begin; // stresses of the first sample
+    bool            closed = false;
 
     HistoryContradictions contradictions(reader.layout());
     SampleSpacing         spacing;
@@ -371,10 +382,14 @@ namespace squeal::tribology
       contradictions.add(s);
       spacing.add(s.time);
       result.samples += s.n_samples();
-      const RowMajor stress = stresses(s, n, fatigue, none);
+      RowMajor stress = stresses(s, n, fatigue, none);
       if (begin.size() == 0)
         begin = stress.col(0);
-      end = stress.col(stress.cols() - 1);
+      if (result.samples == window.n)
+        closed = is_closed(fatigue, begin, stress.rightCols(1), bounds);
+      // What the two differ by is rounding, no cycle.
+      if (closed)
+        stress.rightCols(1) = begin;
       for (std::size_t k = 0; k < n; ++k)
         {
           counters[k].add(stress.row(k).data(), s.n_samples());
@@ -401,7 +416,7 @@ namespace squeal::tribology
         result.notes.push_back(no_spectra(n_window));
       }
     result.duration = last - first;
-    result.period   = counted_time(result, fatigue, begin, end, bounds);
+    result.period   = counted_time(result, fatigue, closed);
     result.nodes.resize(n);
     std::vector<double> damages, areas;
     for (std::size_t k = 0; k < n; ++k)

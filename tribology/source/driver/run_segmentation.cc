@@ -150,6 +150,9 @@ namespace squeal::tribology
                         settings,
                         settings_of(p, m.pixel_size).n_octaves,
                         found);
+        if (entry.crack_rating)
+          for (const std::string &warning : entry.crack_rating->warnings)
+            context.log.warning(m.path + ": " + warning);
         if (!input.area_marks[i].empty())
           entry.area_rating = rate_areas(input.area_marks[i], settings, found);
         if ((entry.crack_rating && !entry.crack_rating->deviation) ||

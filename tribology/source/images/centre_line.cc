@@ -26,9 +26,13 @@ namespace squeal::tribology
 
 
 
-    /** Zhang and Suen's conditions for the sub-iteration @p second. */
+    /** Zhang and Suen's conditions for the sub-iteration @p second, with
+     * @p least neighbours. */
     bool
-    is_removable(const cv::Mat &m, const cv::Point &p, const bool second)
+    is_removable(const cv::Mat   &m,
+                 const cv::Point &p,
+                 const int        least,
+                 const bool       second)
     {
       bool n[8]; // clockwise from north
       for (int k = 0; k < 8; ++k)
@@ -39,7 +43,7 @@ namespace squeal::tribology
           count += n[k];
           turns += !n[k] && n[(k + 1) % 8];
         }
-      if (count < 2 || count > 6 || turns != 1)
+      if (count < least || count > 6 || turns != 1)
         return false;
       return second ? !(n[0] && n[2] && n[6]) && !(n[0] && n[4] && n[6])
                     : !(n[0] && n[2] && n[4]) && !(n[2] && n[4] && n[6]);
@@ -64,6 +68,96 @@ namespace squeal::tribology
           parts += !n[k] && (n[diagonal] || n[next]);
         }
       return has_corner && parts == 1;
+    }
+
+
+
+    /** What the neighbours of a pixel tell of it. */
+    struct Surroundings
+    {
+      Surroundings(const cv::Mat &m, const cv::Point &p)
+      {
+        bool n[8]; // from east, clockwise on the screen
+        for (int k = 0; k < 8; ++k)
+          {
+            n[k] = is_set(m, p + neighbour_steps[k]);
+            count += n[k];
+          }
+        for (int k = 0; k < 8; k += 2)
+          {
+            const int diagonal = k + 1, next = (k + 2) % 8;
+            has_corner = has_corner || (n[k] && n[next]);
+            parts += !n[k] && (n[diagonal] || n[next]);
+          }
+      }
+
+      /** Whether the line stays connected without the pixel and loses no
+       * end. */
+      bool
+      is_spare() const
+      {
+        return count > 1 && parts == 1;
+      }
+
+      int  count      = 0;
+      int  parts      = 0; /**< Yokoi's number of 8-connected parts around it */
+      bool has_corner = false; /**< of a staircase */
+    };
+
+
+
+    /** Removes what makes a line thicker than a pixel, one pixel after the
+     * other. Corners of staircases go first: they are one side of a diagonal
+     * line of two pixels, of whose end the other side begins. */
+    void
+    remove_spare_pixels(cv::Mat &line, const PixelPath &pixels)
+    {
+      for (const cv::Point &p : pixels)
+        {
+          const Surroundings s(line, p);
+          if (s.has_corner && s.is_spare())
+            line.at<uchar>(p) = 0;
+        }
+      // Against the line as it was as well: no end is followed inwards.
+      const cv::Mat before = line.clone();
+      for (const cv::Point &p : pixels)
+        if (is_set(line, p) && Surroundings(before, p).is_spare() &&
+            Surroundings(line, p).is_spare())
+          line.at<uchar>(p) = 0;
+    }
+
+
+
+    /** Takes pixels with @p least neighbours away from all sides of @p result;
+     * returns those that are left. */
+    PixelPath
+    shrink(cv::Mat &result, const int least)
+    {
+      PixelPath active;
+      cv::findNonZero(result, active);
+      for (bool changed = true; changed;)
+        {
+          changed = false;
+          for (const bool second : {false, true})
+            {
+              PixelPath removed;
+              for (const cv::Point &p : active)
+                if (is_removable(result, p, least, second))
+                  removed.push_back(p);
+              for (const cv::Point &p : removed)
+                result.at<uchar>(p) = 0;
+              if (removed.empty())
+                continue;
+              changed = true;
+              active.erase(std::remove_if(active.begin(),
+                                          active.end(),
+                                          [&](const cv::Point &p) {
+                                            return result.at<uchar>(p) == 0;
+                                          }),
+                           active.end());
+            }
+        }
+      return active;
     }
 
 
@@ -139,35 +233,24 @@ namespace squeal::tribology
   cv::Mat
   thin(const cv::Mat &mask)
   {
-    cv::Mat   result = mask.clone();
-    PixelPath active;
-    cv::findNonZero(result, active);
-    for (bool changed = true; changed;)
-      {
-        changed = false;
-        for (const bool second : {false, true})
-          {
-            PixelPath removed;
-            for (const cv::Point &p : active)
-              if (is_removable(result, p, second))
-                removed.push_back(p);
-            for (const cv::Point &p : removed)
-              result.at<uchar>(p) = 0;
-            if (removed.empty())
-              continue;
-            changed = true;
-            active.erase(std::remove_if(active.begin(),
-                                        active.end(),
-                                        [&](const cv::Point &p) {
-                                          return result.at<uchar>(p) == 0;
-                                        }),
-                         active.end());
-          }
-      }
+    cv::Mat         result = mask.clone();
+    const PixelPath active = shrink(result, 2);
     // Corners would look like junctions.
     for (const cv::Point &p : active)
       if (is_corner(result, p))
         result.at<uchar>(p) = 0;
+    return result;
+  }
+
+
+
+  cv::Mat
+  thin_marks(const cv::Mat &mask)
+  {
+    cv::Mat         result = mask.clone();
+    const PixelPath active = shrink(result, 3);
+    // They would look like junctions.
+    remove_spare_pixels(result, active);
     return result;
   }
 

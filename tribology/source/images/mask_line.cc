@@ -15,6 +15,10 @@ namespace squeal::tribology
     // A skeleton ends within that of the outline: half widths and pixels.
     constexpr double before_outline = 2., and_pixels = 2.;
     constexpr double of_half_width = 0.5; // deviation of an end
+    // A piece of a mask that is so long, in pixels and over its width, is a
+    // line, of which so much must be left.
+    constexpr double least_extent = 10., least_slenderness = 3.;
+    constexpr double least_left = 0.5;
 
     /** Distance of the pixels of a mask from its outline, pixels. */
     cv::Mat1f
@@ -73,7 +77,43 @@ namespace squeal::tribology
                      before, mask, end, before_outline * widest + and_pixels),
                    255);
         }
-      line = thin(line);
+      line = thin_marks(line);
+    }
+
+
+
+    /** Boxes of the slender pieces of @p mask, of the distances @p half, of
+     * which @p line reaches over less than a half. */
+    std::vector<cv::Rect>
+    pieces_without_line(const cv::Mat   &mask,
+                        const cv::Mat   &line,
+                        const cv::Mat1f &half)
+    {
+      cv::Mat1i              labels;
+      const int              n = cv::connectedComponents(mask, labels, 8);
+      std::vector<cv::Rect>  pieces(n), lines(n);
+      std::vector<float>     widest(n, 0.F);
+      std::vector<cv::Point> pixels;
+      cv::findNonZero(mask, pixels);
+      for (const cv::Point &p : pixels)
+        {
+          const int      l = labels(p);
+          const cv::Rect pixel(p.x, p.y, 1, 1);
+          pieces[l] |= pixel; // an empty box is none
+          widest[l] = std::max(widest[l], half(p));
+          if (line.at<uchar>(p) != 0)
+            lines[l] |= pixel;
+        }
+      const auto extent = [](const cv::Rect &box) {
+        return std::hypot(box.width, box.height);
+      };
+      std::vector<cv::Rect> result;
+      for (int l = 1; l < n; ++l)
+        if (extent(pieces[l]) >= least_extent &&
+            extent(pieces[l]) >= least_slenderness * (2. * widest[l] + 1.) &&
+            extent(lines[l]) < least_left * extent(pieces[l]))
+          result.push_back(pieces[l]);
+      return result;
     }
   } // namespace
 
@@ -84,7 +124,7 @@ namespace squeal::tribology
   {
     const cv::Mat1f half = half_widths_of(mask);
     MaskLine        result;
-    result.line = thin(mask);
+    result.line = thin_marks(mask);
     remove_spurs(result.line, longest_mask_spur, half);
     double square = 0.;
     for (const LineEnd &end : line_ends(result.line))
@@ -96,6 +136,7 @@ namespace squeal::tribology
       }
     result.end_error = std::sqrt(square);
     reach_ends(result.line, mask, half);
+    result.without_line = pieces_without_line(mask, result.line, half);
     return result;
   }
 } // namespace squeal::tribology

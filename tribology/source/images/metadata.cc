@@ -48,7 +48,9 @@ namespace squeal::tribology
                                                    {"um", 1.},
                                                    {"\xb5m", 1.},
                                                    {"\xc2\xb5m", 1.},
+                                                   {"\xce\xbcm", 1.},
                                                    {"mm", 1e3},
+                                                   {"cm", 1e4},
                                                    {"m", 1e6}};
       const auto                          found = units.find(word);
       return found == units.end() ? std::nullopt
@@ -219,6 +221,35 @@ namespace squeal::tribology
 
 
 
+    /** What stands behind the bar of a JEOL text, in um: a number and one word,
+     * its unit, apart or not. */
+    std::optional<double>
+    jeol_length(const std::string &value)
+    {
+      const auto number = number_and_unit(with_decimal_point(value));
+      const auto factor =
+        number ? unit_of_length(number->second, 1.) : std::nullopt;
+      return factor ? std::optional(number->first * *factor) : std::nullopt;
+    }
+
+
+
+    /** Why @p line tells no scale. Bytes that are no ASCII may be of any
+     * encoding and are left out. */
+    std::string
+    no_length(std::string line)
+    {
+      line.erase(
+        std::remove_if(line.begin(),
+                       line.end(),
+                       [](const char c) { return c < ' ' || c > '~'; }),
+        line.end());
+      return "'" + line +
+             "' of its JEOL text is no length in pm, nm, um, mm, cm or m";
+    }
+
+
+
     /** JEOL: the bar in pixels, the length that it stands for, the size of the
      * picture in pixels, the stage in mm, the turn of the scan in degrees. */
     ImageMetadata
@@ -237,13 +268,10 @@ namespace squeal::tribology
           else if (key == "$$SM_MICRON_MARKER")
             {
               std::string value;
-              words >> value;
-              char *end = nullptr;
-              marker    = std::strtod(value.c_str(), &end);
-              if (std::string(end) == "nm")
-                marker *= 1e-3;
-              else if (std::string(end) == "mm")
-                marker *= 1e3;
+              std::getline(words, value);
+              const auto length = jeol_length(value);
+              marker            = length.value_or(0.);
+              m.without_scale   = length ? "" : no_length(key + value);
             }
           else if (key == "$$SM_SCAN_ROTATION")
             {

@@ -301,7 +301,10 @@ namespace squeal::tribology
       }
     else
       throw InputError(
-        path + (other_size.empty() ? " has no scale" : ": " + other_size) +
+        path +
+        (!m.metadata.without_scale.empty() ? ": " + m.metadata.without_scale
+         : other_size.empty()              ? " has no scale"
+                                           : ": " + other_size) +
         ": set 'Pixel size', or 'Scale bar' with its box and length");
     if (!(m.pixel_size > 0.) || !std::isfinite(m.pixel_size))
       throw InputError(path + ": the pixel size of its metadata is not "

@@ -54,6 +54,19 @@ namespace squeal::tribology
       rating.deviation = std::sqrt(squares / double(n_others));
       rating.agreement = agreement_of(masks, seen);
     }
+
+
+
+    std::string
+    short_lines(const std::string &rater, const MaskLine &drawn)
+    {
+      const cv::Rect &first = drawn.without_line.front();
+      return std::to_string(drawn.without_line.size()) + " of the marks of '" +
+             rater + "', one from column " + std::to_string(first.x) +
+             " and row " + std::to_string(first.y) +
+             " on, have lines of less than half their extent, which is all "
+             "that counts of them: draw them as lines of one pixel";
+    }
   } // namespace
 
 
@@ -72,6 +85,8 @@ namespace squeal::tribology
       {
         MaskLine drawn = line_of_mask(marks.mask);
         keep_seen(drawn.line, segmentation.seen);
+        if (!drawn.without_line.empty())
+          rating.warnings.push_back(short_lines(marks.rater, drawn));
         rating.raters.push_back(marks.rater);
         lines.push_back(drawn.line);
         square += drawn.end_error * drawn.end_error;

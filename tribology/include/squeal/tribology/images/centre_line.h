@@ -11,8 +11,17 @@ namespace squeal::tribology
   using PixelPath = std::vector<cv::Point>;
 
   /** Skeleton of @p mask (CV_8U, 0 or 255) by Zhang and Suen's thinning,
-   * without the corners of staircases, which would look like junctions. */
+   * without the corners of staircases, which would look like junctions. Of
+   * diagonal lines of an even number of pixels it may leave nothing: for masks
+   * that were drawn there is thin_marks(), the judge of found lines was
+   * trained with this one. */
   cv::Mat thin(const cv::Mat &mask);
+
+  /** The same with the change of Lue and Wang (1986): three neighbours at least
+   * are needed to be taken away, so that diagonal lines of two pixels are not
+   * eaten up from their ends. What is then left of two pixels goes one pixel
+   * after the other. */
+  cv::Mat thin_marks(const cv::Mat &mask);
 
   /** Removes branches of a skeleton of at most @p n pixels that end in a
    * junction, and thins again. */

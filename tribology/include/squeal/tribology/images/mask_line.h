@@ -4,6 +4,8 @@
 
 #include <opencv2/core.hpp>
 
+#include <vector>
+
 namespace squeal::tribology
 {
   /** The line of a mask of cracks. */
@@ -11,6 +13,9 @@ namespace squeal::tribology
   {
     cv::Mat line;           /**< CV_8U, 255 on the skeleton */
     double  end_error = 0.; /**< pixels, deviation of the length by the ends */
+    /** Boxes of slender pieces of the mask of whose extent the line reaches
+     * over less than a half; there should be none. */
+    std::vector<cv::Rect> without_line;
   };
 
   /**

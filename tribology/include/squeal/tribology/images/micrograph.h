@@ -20,9 +20,10 @@ namespace squeal::tribology
     std::optional<cv::Size> size; /**< px, of the picture with these pixels */
     std::optional<cv::Point2d> stage;  /**< um, of the image centre */
     std::string                source; /**< "FEI tags", ... or empty */
-    bool                       is_synthetic = false;
-    double                     aspect = 1.; /**< height of a pixel over its
-                                               width */
+    std::string without_scale; /**< why an entry for it tells none, or empty */
+    bool        is_synthetic = false;
+    double      aspect       = 1.; /**< height of a pixel over its
+                                      width */
     /** Degrees by which the stage and the scan were turned, as their makers
      * count them; 0 where the file says nothing. */
     double stage_rotation = 0., scan_rotation = 0.;

@@ -29,6 +29,8 @@ namespace squeal::tribology
      * is not known then. */
     std::optional<double>    deviation;
     std::optional<Agreement> agreement; /**< of two or more */
+    /** What is wrong with the lines of masks, for the log. */
+    std::vector<std::string> warnings;
   };
 
   /** How masks of people or other programs enter. */
