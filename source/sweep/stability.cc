@@ -141,8 +141,8 @@ namespace squeal
       bool
       holds(const double x) const
       {
-        const double rounding = 1e-9 * (std::abs(a.coordinate) +
-                                        std::abs(b.coordinate));
+        const double rounding =
+          1e-9 * (std::abs(a.coordinate) + std::abs(b.coordinate));
         return x >= a.coordinate - rounding && x <= b.coordinate + rounding;
       }
 
@@ -155,7 +155,7 @@ namespace squeal
        * interval leads to counts.
        */
       std::optional<Coalescence>
-      coalescence(const Continuation           &continuation,
+      coalescence(const Continuation          &continuation,
                   const BranchTracker::Solver &solver,
                   const TrackingOptions       &options,
                   const Stretch               &whole)

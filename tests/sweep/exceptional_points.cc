@@ -55,7 +55,7 @@ namespace
     pairs.lambda         = d.lambda;
     pairs.right          = d.right;
     pairs.left           = d.left;
-    const Eigen::Index n     = d.lambda.size();
+    const Eigen::Index n = d.lambda.size();
     pairs.error_estimate = pairs.noise_floor = Eigen::VectorXd::Zero(n);
     pairs.condition                          = Eigen::VectorXd::Ones(n);
     pairs.pair_partner.assign(n, -1);
@@ -89,11 +89,8 @@ namespace
   std::vector<ExceptionalPoint>
   points_of(const Laws &laws, const unsigned int n)
   {
-    return points_on([&](const Complex z) { return matrices(laws, z); },
-                     -1.,
-                     1.,
-                     n,
-                     false);
+    return points_on(
+      [&](const Complex z) { return matrices(laws, z); }, -1., 1., n, false);
   }
 
   /** a b = p with a double root: (a b)' = 0 where a and b are lambda^2 + c
@@ -198,22 +195,23 @@ namespace
                    1e-9,
                    "of friction " + std::to_string(c));
     for (const unsigned int n : {1u, 2u, 4u, 10u, 20u})
-      in_and_out(points_on(
-                   [](const Complex s) {
-                     const Eigen::MatrixXcd zero = Eigen::MatrixXcd::Zero(3, 3);
-                     ContinuedMatrices      m{zero, zero, zero};
-                     m.mass.setIdentity();
-                     m.stiffness << 0.99, 0., 0.002, 0., 1.01, 0.0025, -0.002,
-                       -0.0025, s;
-                     return m;
-                   },
-                   0.5,
-                   1.5,
-                   n,
-                   true),
-                 {0.985715992910, 0.993652589495, 1.005228678956, 1.015177738639},
-                 1e-9,
-                 "of three oscillators with " + std::to_string(n) + " steps");
+      in_and_out(
+        points_on(
+          [](const Complex s) {
+            const Eigen::MatrixXcd zero = Eigen::MatrixXcd::Zero(3, 3);
+            ContinuedMatrices      m{zero, zero, zero};
+            m.mass.setIdentity();
+            m.stiffness << 0.99, 0., 0.002, 0., 1.01, 0.0025, -0.002, -0.0025,
+              s;
+            return m;
+          },
+          0.5,
+          1.5,
+          n,
+          true),
+        {0.985715992910, 0.993652589495, 1.005228678956, 1.015177738639},
+        1e-9,
+        "of three oscillators with " + std::to_string(n) + " steps");
   }
 } // namespace
 

@@ -128,8 +128,7 @@ namespace squeal
             }
       if (n > 0)
         context.log.warning(
-          "of " + std::to_string(n) +
-          (n == 1 ? " edge" : " edges") +
+          "of " + std::to_string(n) + (n == 1 ? " edge" : " edges") +
           " of unstable ranges at which two pairs part, exceptional_points.csv "
           "does not have the point: its error by the mesh is that of another "
           "one; more points of " +
