@@ -412,6 +412,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/sweep/sweep_boundary.cc
     source/analyses/sweep/sweep_checks.cc
     source/analyses/sweep/sweep_doublets.cc
+    source/analyses/sweep/sweep_doubts.cc
     source/analyses/sweep/sweep_model.cc
     source/analyses/sweep/sweep_plots.cc
     source/analyses/sweep/sweep_residuals.cc

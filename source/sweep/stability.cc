@@ -13,8 +13,11 @@ namespace squeal
   {
     using Complex = std::complex<double>;
 
-    /** Of the interval in which a coalescence is sought. */
+    /** Of the interval of a line at whose ends two pairs are to be near enough
+     * to each other for steps to their coalescence. */
     constexpr unsigned int most_halvings = 6;
+    /** Of an interval from which the steps lead to a coalescence elsewhere. */
+    constexpr unsigned int most_halvings_outside = 24;
 
     /** Sigma less what rounding makes of it: an undamped pair has one of either
      * sign, a few digits of its condition large. */
@@ -133,6 +136,44 @@ namespace squeal
                                (split(b, branch_1, branch_2) < 0.);
         (is_behind ? b : a) = middle;
         return true;
+      }
+
+      bool
+      holds(const double x) const
+      {
+        const double rounding =
+          1e-9 * (std::abs(a.coordinate) + std::abs(b.coordinate));
+        return x >= a.coordinate - rounding && x <= b.coordinate + rounding;
+      }
+
+      /**
+       * The coalescence to which the change of sign belongs. Steps from a wide
+       * interval may lead to another one, such as the lock-out behind a
+       * lock-in: the interval is halved until they stay in it. On the real axis
+       * they must at last; off it, where the real part of a squared
+       * half-difference changes its sign beside its root, what the shortest
+       * interval leads to counts.
+       */
+      std::optional<Coalescence>
+      coalescence(const Continuation          &continuation,
+                  const BranchTracker::Solver &solver,
+                  const TrackingOptions       &options,
+                  const Stretch               &whole)
+      {
+        std::optional<Coalescence> found;
+        for (unsigned int step = 0; step <= most_halvings_outside; ++step)
+          {
+            if (const auto next =
+                  coalescence_of(continuation, a, b, branch_1, branch_2, whole))
+              {
+                if (holds(next->coordinate.real()))
+                  return next;
+                found = next;
+              }
+            if (!halve(solver, options))
+              break;
+          }
+        return options.real ? std::nullopt : found;
       }
     };
   } // namespace
@@ -370,7 +411,7 @@ namespace squeal
         if (!is_near)
           continue;
         const auto found =
-          coalescence_of(continuation, approach.a, approach.b, b1, b2, whole);
+          approach.coalescence(continuation, solver, options, whole);
         if (!found)
           continue;
         ExceptionalPoint e;

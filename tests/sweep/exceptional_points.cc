@@ -2,7 +2,8 @@
 //
 // Exceptional points of two oscillators of which one is damped: of friction
 // that couples both, in closed form at a complex coefficient; none where the
-// two cross without coupling or with one in one direction only.
+// two cross without coupling or with one in one direction only. Of undamped
+// oscillators, every lock-in with the lock-out behind it, however near.
 #include <squeal/eigen/dense_quadratic.h>
 #include <squeal/sweep/branch_tracker.h>
 #include <squeal/sweep/stability.h>
@@ -10,6 +11,7 @@
 #include "check.h"
 #include "continued.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -53,30 +55,42 @@ namespace
     pairs.lambda         = d.lambda;
     pairs.right          = d.right;
     pairs.left           = d.left;
-    pairs.error_estimate = pairs.noise_floor = Eigen::VectorXd::Zero(2);
-    pairs.condition                          = Eigen::VectorXd::Ones(2);
-    pairs.pair_partner.assign(2, -1);
+    const Eigen::Index n = d.lambda.size();
+    pairs.error_estimate = pairs.noise_floor = Eigen::VectorXd::Zero(n);
+    pairs.condition                          = Eigen::VectorXd::Ones(n);
+    pairs.pair_partner.assign(n, -1);
     return pairs;
   }
 
-  /** Along the line from -1 to 1. */
+  /** Along the line from @p from to @p to. */
+  template <typename Matrices>
+  std::vector<ExceptionalPoint>
+  points_on(const Matrices    &matrices_at,
+            const double       from,
+            const double       to,
+            const unsigned int n,
+            const bool         is_real)
+  {
+    TrackingOptions options;
+    options.highest_frequency = 1.;
+    options.real              = is_real;
+    const auto solver         = [&](const double x) {
+      return pairs_of(matrices_at(x));
+    };
+    std::vector<double> coordinates;
+    for (unsigned int i = 0; i <= n; ++i)
+      coordinates.push_back(from + (to - from) * i / n);
+    return LineStability(solver, options, 1e-8)
+      .exceptional_points(BranchTracker(solver, options).track(coordinates),
+                          continued(matrices_at));
+  }
+
   template <typename Laws>
   std::vector<ExceptionalPoint>
   points_of(const Laws &laws, const unsigned int n)
   {
-    TrackingOptions options;
-    options.highest_frequency = 1.;
-    options.real              = false;
-    const auto solver         = [&](const double x) {
-      return pairs_of(matrices(laws, x));
-    };
-    std::vector<double> coordinates;
-    for (unsigned int i = 0; i <= n; ++i)
-      coordinates.push_back(-1. + 2. * i / n);
-    return LineStability(solver, options, 1e-8)
-      .exceptional_points(
-        BranchTracker(solver, options).track(coordinates),
-        continued([&](const Complex z) { return matrices(laws, z); }));
+    return points_on(
+      [&](const Complex z) { return matrices(laws, z); }, -1., 1., n, false);
   }
 
   /** a b = p with a double root: (a b)' = 0 where a and b are lambda^2 + c
@@ -135,6 +149,70 @@ namespace
                 (one_way == 0. ? "without coupling"
                                : "with coupling in one direction"));
   }
+
+  /** Lock-ins and lock-outs in turn at @p truth. */
+  void
+  in_and_out(std::vector<ExceptionalPoint> found,
+             const std::vector<double>    &truth,
+             const double                  tolerance,
+             const std::string            &of_what)
+  {
+    std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) {
+      return a.coordinate.real() < b.coordinate.real();
+    });
+    check(found.size() == truth.size(),
+          std::to_string(found.size()) + " points " + of_what);
+    for (std::size_t i = 0; i < truth.size(); ++i)
+      {
+        check(found[i].is_lock_in == (i % 2 == 0), "in and out " + of_what);
+        check(std::abs(found[i].coordinate - truth[i]) < tolerance,
+              "the coordinate " + of_what);
+      }
+  }
+
+  /** Stiffnesses 1 and s that friction c couples: from s = 1 - 2 c to 1 + 2 c.
+   * Of three with couplings next to two crossings, four points, which are
+   * where the discriminant of the cubic in lambda^2 changes its sign. */
+  void
+  lock_out_behind_lock_in()
+  {
+    for (const double c : {0.009, 0.003, 9e-4, 3e-4, 3e-5})
+      for (const unsigned int n : {1u, 3u, 8u})
+        in_and_out(points_on(
+                     [c](const Complex s) {
+                       const Eigen::MatrixXcd zero =
+                         Eigen::MatrixXcd::Zero(2, 2);
+                       ContinuedMatrices m{zero, zero, zero};
+                       m.mass.setIdentity();
+                       m.stiffness << 1., c, -c, s;
+                       return m;
+                     },
+                     0.5,
+                     1.7,
+                     n,
+                     true),
+                   {1. - 2. * c, 1. + 2. * c},
+                   1e-9,
+                   "of friction " + std::to_string(c));
+    for (const unsigned int n : {1u, 2u, 4u, 10u, 20u})
+      in_and_out(
+        points_on(
+          [](const Complex s) {
+            const Eigen::MatrixXcd zero = Eigen::MatrixXcd::Zero(3, 3);
+            ContinuedMatrices      m{zero, zero, zero};
+            m.mass.setIdentity();
+            m.stiffness << 0.99, 0., 0.002, 0., 1.01, 0.0025, -0.002, -0.0025,
+              s;
+            return m;
+          },
+          0.5,
+          1.5,
+          n,
+          true),
+        {0.985715992910, 0.993652589495, 1.005228678956, 1.015177738639},
+        1e-9,
+        "of three oscillators with " + std::to_string(n) + " steps");
+  }
 } // namespace
 
 int
@@ -142,4 +220,5 @@ main()
 {
   coupled_by_friction();
   not_coupled();
+  lock_out_behind_lock_in();
 }

@@ -83,8 +83,8 @@ namespace squeal
 
     /** Those that coalescence_of() finds from neighbouring points of the line
      * between which the real part of a squared half-difference changes its
-     * sign, each once. With damping that is not proportional the coordinate is
-     * complex. */
+     * sign, each once: where the root is real, that between the two. With
+     * damping that is not proportional the coordinate is complex. */
     std::vector<ExceptionalPoint> exceptional_points(
       const std::vector<TrackedPoint> &line,
       const Continuation              &continuation) const;

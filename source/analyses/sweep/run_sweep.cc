@@ -302,49 +302,6 @@ namespace squeal
         }
       context.finish(context.parameters.output.report ? &report : nullptr, "");
     }
-
-    /** Names lines whose branches more points did not make certain. */
-    void
-    warn_of_doubtful_branches(const SweepModel    &model,
-                              const SweepSolution &solution,
-                              RunContext          &context)
-    {
-      const unsigned int most = tracking_options(model).most_inserted;
-      for (const SweepLine &line : solution.lines)
-        if (std::count_if(line.points.begin(),
-                          line.points.end(),
-                          [](const TrackedPoint &p) { return !p.asked; }) >=
-            most)
-          context.log.warning(
-            "the branches along the first axis are in doubt from " +
-            text_of(model.grid(), line.start) + " on, with " +
-            std::to_string(most) +
-            " more points, too: where their shapes do not tell them apart they "
-            "are matched by frequency; more points or a narrower band of "
-            "Eigenvalues help");
-    }
-
-    /** Counts ranges that no point of the grid bears out. */
-    void
-    warn_of_doubtful_ranges(const SweepModel    &model,
-                            const SweepSolution &solution,
-                            RunContext          &context)
-    {
-      std::size_t n = 0;
-      for (const SweepLine &line : solution.lines)
-        n +=
-          std::count_if(line.ranges.begin(),
-                        line.ranges.end(),
-                        [](const UnstableRange &r) { return !r.is_certain; });
-      if (n > 0)
-        context.log.warning(
-          (n == 1 ? "1 unstable range lies"
-                  : std::to_string(n) + " unstable ranges lie") +
-          std::string(" between neighbouring points of ") +
-          model.grid().axis(0).name +
-          " whose contact states differ, where that of the nearest point is "
-          "held: more points tell whether anything squeals there");
-    }
   } // namespace
 
 
@@ -372,8 +329,7 @@ namespace squeal
                          scenes.size() > 1 ? &vectors : nullptr);
         check_column_names(model, scene);
         const SweepSolution solution = solve_sweep(model, context);
-        warn_of_doubtful_branches(model, solution, context);
-        warn_of_doubtful_ranges(model, solution, context);
+        warn_of_doubts(model, solution, context);
         add(model, solution, totals);
         has_shapes = model.model().namer().n_coordinates() > 0;
         if (model.model().n_unknowns() > context.record.n_dofs)

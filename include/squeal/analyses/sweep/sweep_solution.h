@@ -43,6 +43,11 @@ namespace squeal
 
   TrackingOptions tracking_options(const SweepModel &model);
 
+  /** Warns of branches, ranges and edges that the lines leave in doubt. */
+  void warn_of_doubts(const SweepModel    &model,
+                      const SweepSolution &solution,
+                      RunContext          &context);
+
   /** One line of it, along the first axis; counts its solutions and worst error
    * in @p solution. */
   SweepLine solve_line(SweepModel       &model,
