@@ -6,6 +6,7 @@
 #include <squeal/analyses/analyses.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/eigen/direct_solver.h>
 #include <squeal/model/adaptive_cea.h>
 #include <squeal/model/frequency_pencil.h>
 #include <squeal/model/linear_solver.h>
