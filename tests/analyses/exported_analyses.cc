@@ -20,8 +20,12 @@ namespace
 
   std::string program;
 
+  // Tolerances below what both are compared to: the rounding of the matrices
+  // decides on what a basis keeps.
   const std::string sweep  = R"(subsection Sweep
-  set Axes = mu
+  set Axes                = mu
+  set Frequency tolerance = 1e-9
+  set Sigma tolerance     = 1e-6
   subsection Axis mu
     set Entries = Scene/Contact above/Friction coefficient
     set From    = 0.2
