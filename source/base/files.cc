@@ -341,8 +341,7 @@ namespace squeal
       }
 
     const FileSizeLimitAsError no_signal;
-    // the list is emptied last: a run that is killed meanwhile is cleaned up
-    // by the next one
+    // The list is emptied last, for the next run if this one is killed.
     remove_files(directory, listed_files(directory));
     remove_scratch_directories(directory);
     try

@@ -43,8 +43,7 @@ namespace squeal
    * A body on soft springs may lie as far below a wide band as the rounding of
    * its modes, which is relative to the limit. So what is_free_motion() is
    * looked at once more: the motion x of the stiffness k = x^T K x is free
-   * where
-   * k is no more than rounding leaves of its sum, @p rounding times
+   * where k is no more than rounding leaves of its sum, @p rounding times
    * |x|^T |K| |x|, or of the limit, 1e-15 of it.
    */
   FreeMotions find_free_motions(
