@@ -181,8 +181,10 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/dense_quadratic.cc
     source/eigen/dense_scaling.cc
     source/eigen/direct_solver.cc
+    source/eigen/estimate_errors.cc
     source/eigen/free_motion.cc
     source/eigen/frequency_dependence.cc
+    source/eigen/hidden_directions.cc
     source/eigen/mass_basis.cc
     source/eigen/modal_response.cc
     source/eigen/mode_coupling.cc
@@ -330,6 +332,7 @@ set(SQUEAL_SOURCES_RUN
 set(SQUEAL_SOURCES_MODEL
     source/model/adaptive_cea.cc
     source/model/cea_solution.cc
+    source/model/direct_comparison.cc
     source/model/common_parts.cc
     source/model/contact_states.cc
     source/model/doublets.cc

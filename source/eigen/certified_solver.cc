@@ -5,6 +5,7 @@
 #include <squeal/base/worst_of.h>
 #include <squeal/eigen/certified_solver.h>
 #include <squeal/eigen/eigenvalue_condition.h>
+#include <squeal/eigen/hidden_directions.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -24,20 +25,11 @@ namespace squeal
     constexpr double exhausted_residual = 1e-4;
 
     /** Number of the value in @p values nearest to @p lambda. */
-    int
-    nearest(const Eigen::VectorXcd &values,
-            const Complex           lambda,
-            const int               except = -1)
+    Eigen::Index
+    nearest(const Eigen::VectorXcd &values, const Complex lambda)
     {
-      int    best     = -1;
-      double distance = 1e300;
-      for (Eigen::Index i = 0; i < values.size(); ++i)
-        if (const double d = std::abs(values[i] - lambda);
-            d < distance && i != except)
-          {
-            distance = d;
-            best     = i;
-          }
+      Eigen::Index best;
+      (values.array() - lambda).abs().minCoeff(&best);
       return best;
     }
 
@@ -49,45 +41,6 @@ namespace squeal
       return both;
     }
   } // namespace
-
-
-
-  void
-  estimate_errors(ComplexPairs &pairs, const Eigen::VectorXcd &better)
-  {
-    const unsigned int n = pairs.size();
-    pairs.error_estimate.resize(n);
-    pairs.pair_partner.assign(n, -1);
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        const Complex a = pairs.lambda[i];
-        const int     k = nearest(better, a);
-        // Of a nearly defective pair mean and squared half-difference count;
-        // the other member may lie beyond the band.
-        const int j = nearest(pairs.lambda, a, i);
-        const int l = j < 0 ? -1 : nearest(better, pairs.lambda[j], k);
-        if (pairs.condition[i] < coalescence_condition || l < 0)
-          {
-            pairs.error_estimate[i] = std::abs(better[k] - a) / std::abs(a);
-            continue;
-          }
-        const Complex b      = pairs.lambda[j];
-        const Complex mean   = 0.5 * (a + b),
-                      mean_2 = 0.5 * (better[k] + better[l]);
-        const Complex d2     = 0.25 * (a - b) * (a - b);
-        const Complex d2_2 =
-          0.25 * (better[k] - better[l]) * (better[k] - better[l]);
-        pairs.pair_partner[i] = j;
-        pairs.error_estimate[i] =
-          (std::abs(mean - mean_2) +
-           std::abs(d2 - d2_2) /
-             std::max(std::sqrt(std::abs(d2 - d2_2)),
-                      std::sqrt(std::abs(d2)) + std::sqrt(std::abs(d2_2)))) /
-          std::abs(a);
-        if (d2 == d2_2)
-          pairs.error_estimate[i] = std::abs(mean - mean_2) / std::abs(a);
-      }
-  }
 
 
 
@@ -106,6 +59,8 @@ namespace squeal
     reduced.start(start,
                   modes.mass_products.leftCols(n),
                   modes.stiffness_products.leftCols(n));
+    HiddenSearch{pencil, inverse, std::sqrt(std::max(s.shift(), 0.)), pencil}
+      .extend(reduced);
   }
 
   CertifiedSolver::CertifiedSolver(const Pencil          &p,
@@ -131,6 +86,12 @@ namespace squeal
     beyond.real() -= modal * re;
     beyond.imag() -= modal * im;
     reduced.extend(compress(space, beyond, Eigen::VectorXd::Ones(2 * n), 0.));
+    // The highest of the modes is at the edge of the band or a little beyond.
+    const Eigen::VectorXd &squares = modes.omega_squared;
+    const double           edge_squared =
+      squares.size() > 0 ? squares[squares.size() - 1] : 0.;
+    HiddenSearch{pencil, inverse, std::sqrt(std::max(edge_squared, 0.)), pencil}
+      .extend(reduced);
   }
 
   const std::vector<BasisEnrichment> &
@@ -374,7 +335,7 @@ namespace squeal
       estimate_errors(pairs, pairs.lambda);
       for (unsigned int i = 0; i < pairs.size(); ++i)
         {
-          const int    k    = nearest(earlier.lambda, pairs.lambda[i]);
+          const auto   k    = nearest(earlier.lambda, pairs.lambda[i]);
           const double away = std::abs(earlier.lambda[k] - pairs.lambda[i]);
           // Of a nearly defective pair each member moves by the root.
           const double bound = pairs.condition[i] < coalescence_condition

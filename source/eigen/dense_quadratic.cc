@@ -52,6 +52,21 @@ namespace squeal
 
 
 
+    /** Of |lambda|: an imaginary part that rounding makes of two real
+     * eigenvalues that are one number. */
+    constexpr double rounding_of_real = 1e-12;
+
+    /** The eigenvalues of real matrices, among which equal real ones are not a
+     * pair of conjugates: of that only one would be kept. */
+    std::vector<Complex>
+    of_real_matrices(std::vector<Complex> lambda)
+    {
+      for (Complex &l : lambda)
+        if (std::abs(l.imag()) <= rounding_of_real * std::abs(l))
+          l.imag(0.);
+      return lambda;
+    }
+
     /** Each pair of conjugates once, ascending in frequency. */
     DensePairs
     select(const std::vector<Complex> &lambda,
@@ -81,13 +96,17 @@ namespace squeal
       return result;
     }
 
+    template <typename Matrix>
+    constexpr bool has_real_entries =
+      std::is_same<typename Matrix::Scalar, double>::value;
+
     /** A^-T B. */
     template <typename Matrix>
     Eigen::MatrixXcd
     solve_transposed(const Eigen::PartialPivLU<Matrix> &factor,
                      const Eigen::MatrixXcd            &B)
     {
-      if constexpr (std::is_same<typename Matrix::Scalar, double>::value)
+      if constexpr (has_real_entries<Matrix>)
         {
           Eigen::MatrixXd both(B.rows(), 2 * B.cols());
           both << B.real(), B.imag();
@@ -158,7 +177,11 @@ namespace squeal
           lambda.push_back(big == 0. ? 0. : kappa / big);
           column.insert(column.end(), 2, i);
         }
-      return select(lambda, column, right, left);
+      return select(has_real_entries<Matrix> ? of_real_matrices(lambda)
+                                             : lambda,
+                    column,
+                    right,
+                    left);
     }
 
 
@@ -220,7 +243,11 @@ namespace squeal
             lambda.push_back(companion.s + companion.s / pairs.values[i]);
             column.push_back(i);
           }
-      return select(lambda, column, right, left);
+      return select(has_real_entries<Matrix> ? of_real_matrices(lambda)
+                                             : lambda,
+                    column,
+                    right,
+                    left);
     }
   } // namespace
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
+#include <squeal/base/number_text.h>
+#include <squeal/eigen/dense_quadratic.h>
 #include <squeal/eigen/direct_solver.h>
 
 #include <Eigen/Eigenvalues>
@@ -299,5 +301,77 @@ namespace squeal
         if (result.reach >= radius || n >= 8 * n_pairs)
           return result;
       }
+  }
+
+
+
+  namespace
+  {
+    /** Of |lambda|, within which two eigenvalues are the same one, also next to
+     * a coalescence. */
+    constexpr double same_pair = 1e-3;
+    /** Of an end of the band: a pair there may be on either side of it. */
+    constexpr double end_of_band = 1e-6;
+    /** Residual of a pair that the direct solver has not found yet. */
+    constexpr double not_converged = 1e-5;
+    /** Pairs that a sentence names. */
+    constexpr Eigen::Index most_named = 4;
+  } // namespace
+
+  std::vector<unsigned int>
+  pairs_missing(const Eigen::VectorXcd &known,
+                const DirectPairs      &direct,
+                const double            lowest,
+                const double            highest)
+  {
+    std::vector<unsigned int> missing;
+    std::vector<bool>         is_taken(known.size(), false);
+    for (unsigned int k = 0; k < direct.pairs.size(); ++k)
+      {
+        const std::complex<double> lambda = direct.pairs.lambda[k];
+        const double               size   = std::abs(lambda);
+        if (!is_of_band(lambda,
+                        (1. + end_of_band) * lowest,
+                        (1. - end_of_band) * highest) ||
+            size <= share_of_rigid_motions * 2. * M_PI * highest ||
+            !(direct.pairs.residual[k] <= not_converged))
+          continue;
+        Eigen::Index best     = -1;
+        double       distance = same_pair * size;
+        for (Eigen::Index i = 0; i < known.size(); ++i)
+          if (const double d = std::abs(known[i] - lambda);
+              d <= distance && !is_taken[i])
+            {
+              distance = d;
+              best     = i;
+            }
+        if (best < 0)
+          missing.push_back(k);
+        else
+          is_taken[best] = true;
+      }
+    return missing;
+  }
+
+  std::string
+  text_of_missing(Eigen::VectorXcd missing)
+  {
+    if (missing.size() == 0)
+      return "";
+    std::stable_sort(missing.begin(), missing.end(), [](auto a, auto b) {
+      return a.real() > b.real();
+    });
+    std::string text = "the direct solver has " +
+                       std::to_string(missing.size()) +
+                       (missing.size() == 1 ? " pair" : " pairs") +
+                       " in the band that the certified one lacks: ";
+    const Eigen::Index n = std::min(missing.size(), most_named);
+    for (Eigen::Index i = 0; i < n; ++i)
+      text += (i > 0 ? ", " : "") +
+              rounded_text(missing[i].imag() / (2. * M_PI), 5) +
+              " Hz with sigma " + rounded_text(missing[i].real(), 3) + " 1/s";
+    return text + (missing.size() > n ? " and others" : "") +
+           "; what direct_check.csv holds is right: raise 'Eigenvalues/Highest "
+           "frequency' to have them in the tables";
   }
 } // namespace squeal

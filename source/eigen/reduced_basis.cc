@@ -4,9 +4,31 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <random>
 
 namespace squeal
 {
+  namespace
+  {
+    /** A column whose products have no zero but where a matrix has an empty
+     * row. Vectors of a basis may be zero on a part of the scene that others,
+     * added later, move. */
+    Block
+    probe_of_rows(const RowSpace &space)
+    {
+      Block result(space.n_owned(), 1);
+      for (unsigned int i = 0; i < space.n_owned(); ++i)
+        {
+          std::minstd_rand generator(12345 + space.first_owned() + i);
+          generator.discard(3);
+          result(i, 0) = 1. + double(generator()) / double(generator.max());
+        }
+      return result;
+    }
+  } // namespace
+
+
+
   ReducedBasis::ReducedBasis(const Pencil &p, const BasisProducts kept)
     : pencil(p)
     , basis(p, kept)
@@ -18,11 +40,14 @@ namespace squeal
                   : pencil.parts().size();
     stiffness_part =
       lone_part([](const TermCoefficients &c) { return c.stiffness.real(); });
+    const Block probe = probe_of_rows(*pencil.space());
     for (const auto &part : pencil.parts())
       {
         projected.push_back({Eigen::MatrixXd(0, 0), part.coefficients});
-        products.emplace_back();
-        transposed_products.emplace_back();
+        products.emplace_back(part.matrix->multiply(probe).col(0));
+        transposed_products.emplace_back(
+          part.symmetric ? Eigen::VectorXd()
+                         : part.matrix->multiply_transposed(probe).col(0));
       }
   }
 
@@ -45,18 +70,19 @@ namespace squeal
 
 
 
+  ReducedBasis::Product::Product(const Eigen::VectorXd &A_probe)
+  {
+    for (Eigen::Index i = 0; i < A_probe.size(); ++i)
+      if (A_probe[i] != 0.)
+        rows.push_back(i);
+    if (static_cast<Eigen::Index>(rows.size()) > A_probe.size() / 4)
+      rows.clear();
+    columns = GrowingBlock(rows.empty() ? A_probe.size() : rows.size());
+  }
+
   void
   ReducedBasis::Product::append(const Eigen::Ref<const Block> &AW)
   {
-    if (columns.n_columns() == 0)
-      {
-        for (Eigen::Index i = 0; i < AW.rows(); ++i)
-          if (!AW.row(i).isZero(0.))
-            rows.push_back(i);
-        if (static_cast<Eigen::Index>(rows.size()) > AW.rows() / 4)
-          rows.clear();
-        columns = GrowingBlock(rows.empty() ? AW.rows() : rows.size());
-      }
     if (rows.empty())
       columns.append(AW);
     else

@@ -101,6 +101,9 @@ namespace squeal
                 }
               else if (c == dialect.separator())
                 finish();
+              else if (c == '\r' && i + 1 < content.size() &&
+                       content[i + 1] != '\n')
+                fail(path, line, "a carriage return within the line");
               else if (c != '\r' && !was_quoted)
                 cell += c;
             }
@@ -203,8 +206,10 @@ namespace squeal
   Table
   read_csv(const std::string &path, const std::vector<Table::Column> &required)
   {
-    const std::string content =
-      without_byte_order_mark(read_input_file(path), path);
+    std::string content = without_byte_order_mark(read_input_file(path), path);
+    // Line ends of old, which some spreadsheets still write.
+    if (content.find('\n') == std::string::npos)
+      std::replace(content.begin(), content.end(), '\r', '\n');
     const auto is_binary = [](const char c) {
       return static_cast<unsigned char>(c) < 32 && !std::isspace(c);
     };

@@ -6,6 +6,7 @@
 #include <squeal/base/worst_of.h>
 #include <squeal/eigen/dense_quadratic.h>
 #include <squeal/eigen/free_motion.h>
+#include <squeal/eigen/hidden_directions.h>
 #include <squeal/sweep/basis_builder.h>
 
 #include <Eigen/Eigenvalues>
@@ -112,40 +113,22 @@ namespace squeal
 
 
 
-  double
-  excess(const WorstError &worst, const BasisOptions &options)
+  namespace
   {
-    return worst_of(worst.frequency / options.frequency_tolerance,
-                    worst.sigma / options.sigma_tolerance);
-  }
-
-
-
-  void
-  add_to_worst(const ComplexPairs &pairs,
-               const SweepPoint   &point,
-               WorstError         &worst)
-  {
-    for (unsigned int i = 0; i < pairs.size(); ++i)
-      {
-        // The share of the shift along either direction is not kept: all of it
-        // counts for both.
-        const double shift =
-          pairs.error_estimate[i] * std::abs(pairs.lambda[i]);
-        worst.relative = worst_of(worst.relative, pairs.error_estimate[i]);
-        // Over |lambda|: overdamped motions have no frequency.
-        if (is_worse(pairs.error_estimate[i], worst.frequency))
-          {
-            worst.frequency    = pairs.error_estimate[i];
-            worst.frequency_at = point;
-          }
-        if (is_worse(shift, worst.sigma))
-          {
-            worst.sigma    = shift;
-            worst.sigma_at = point;
-          }
-      }
-  }
+    /** What the modes do not carry at a point of the box. */
+    template <typename Anchor>
+    void
+    extend_by_hidden(const Pencil &at_point,
+                     const Anchor &anchor,
+                     const Pencil &reference,
+                     ReducedBasis &basis)
+    {
+      const SlidingInverse inverse(at_point, anchor.sliding);
+      HiddenSearch{
+        at_point, inverse, std::sqrt(anchor.inverse.shift()), reference}
+        .extend(basis);
+    }
+  } // namespace
 
 
 
@@ -447,6 +430,11 @@ namespace squeal
       require_held(modes, first.inverse.shift());
       reduced.extend(modes.shapes);
       reduced.extend(modes.supplement);
+      for (const SweepPoint &point : system.grid().spread(1))
+        extend_by_hidden(Anchor::unmerged(system, point),
+                         anchor_for(point),
+                         reference,
+                         reduced);
       if (start.rows() == modes.shapes.rows())
         reduced.extend(start);
       update_model(reduced.size());

@@ -63,6 +63,43 @@ namespace squeal
 
 
 
+  double
+  excess(const WorstError &worst, const BasisOptions &options)
+  {
+    return worst_of(worst.frequency / options.frequency_tolerance,
+                    worst.sigma / options.sigma_tolerance);
+  }
+
+
+
+  void
+  add_to_worst(const ComplexPairs &pairs,
+               const SweepPoint   &point,
+               WorstError         &worst)
+  {
+    for (unsigned int i = 0; i < pairs.size(); ++i)
+      {
+        // The share of the shift along either direction is not kept: all of it
+        // counts for both.
+        const double shift =
+          pairs.error_estimate[i] * std::abs(pairs.lambda[i]);
+        worst.relative = worst_of(worst.relative, pairs.error_estimate[i]);
+        // Over |lambda|: overdamped motions have no frequency.
+        if (is_worse(pairs.error_estimate[i], worst.frequency))
+          {
+            worst.frequency    = pairs.error_estimate[i];
+            worst.frequency_at = point;
+          }
+        if (is_worse(shift, worst.sigma))
+          {
+            worst.sigma    = shift;
+            worst.sigma_at = point;
+          }
+      }
+  }
+
+
+
   std::vector<ModelCell>
   BasisBuilder::make_cells() const
   {

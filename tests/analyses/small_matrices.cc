@@ -5,14 +5,19 @@
 // is sqrt(-k/m), however fast that is beside the band; the direct solver finds
 // it, too, and a sweep. A chain of masses with an unknown without mass between
 // any two. Two masses that friction couples grow by 0.1 1/s in a band that is
-// wide. Argument: the program.
+// wide. Pairs that friction or gyroscopic terms bring into the band from modes
+// far above it, decoupled from all others, are found, and a direct pair without
+// a certified one is told. Argument: the program.
 
+#include <squeal/eigen/direct_solver.h>
 #include <squeal/results/table.h>
 
 #include "program.h"
 #include "worst.h"
 
 #include <cmath>
+#include <complex>
+#include <vector>
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -229,6 +234,154 @@ namespace
       off.add(std::abs(table.real(i, "frequency_hz") / frequency(i) - 1.));
     check_within(off, 1e-9, "the chain of half the stiffness");
   }
+
+  /** Entries of a matrix that is not symmetric. */
+  void
+  write_general(const std::string &file,
+                const unsigned int n,
+                const Entries     &entries)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << "%%MatrixMarket matrix coordinate real general\n"
+         << n << " " << n << " " << entries.size() << "\n";
+    for (const auto &[place, value] : entries)
+      text << place.first + 1 << " " << place.second + 1 << " " << value
+           << "\n";
+    write_text(file, text.str());
+  }
+
+  /** Forty masses on springs of their own, four of them in a band to 100 Hz,
+   * and @p copies of two masses at 3000 Hz each, which friction couples by
+   * @p attraction times their stiffness, and gyroscopic terms and negative
+   * damping where @p gyroscopic. Returns the first table of the run. */
+  Table
+  with_hidden_masses(const std::string &program,
+                     const unsigned int copies,
+                     const double       attraction,
+                     const bool         gyroscopic,
+                     const std::string &analysis,
+                     const std::string &behind)
+  {
+    constexpr unsigned int n_seen = 40;
+    constexpr double       k_high = 36e6 * M_PI * M_PI, omega = 100. * M_PI,
+                     gyro = (k_high - omega * omega) / omega;
+    const unsigned int n  = n_seen + 2 * copies;
+    Entries            m, k, c, f;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double own =
+          2. * M_PI * (i < 4 ? 20. + 20. * i : 300. * std::pow(1.15, i - 4.));
+        m[{i, i}] = 1.;
+        k[{i, i}] = i < n_seen ? own * own : k_high;
+        c[{i, i}] = i < n_seen ? .02 * own : gyroscopic ? -1. : 0.;
+      }
+    for (unsigned int i = n_seen; i < n; i += 2)
+      {
+        f[{i, i + 1}] = f[{i + 1, i}] = attraction * k_high;
+        c[{i, i + 1}]                 = gyroscopic ? gyro : 0.;
+        c[{i + 1, i}]                 = -c[{i, i + 1}];
+      }
+    write_matrix("mass.mtx", n, m);
+    write_matrix("stiffness.mtx", n, k);
+    write_general("damping.mtx", n, c);
+    write_general("friction.mtx", n, f);
+    write_text("hidden.prm",
+               "set Analysis = " + analysis +
+                 "\nset Output directory = hidden\nset Overwrite = true\n"
+                 "subsection Output\n set Plots = false\n"
+                 " set Report = false\nend\n"
+                 "subsection Scene\n set Kind = matrices\n"
+                 " set Matrix parts = m, k, c, n\n"
+                 " set Friction coefficient = 1\n"
+                 " subsection Matrix part m\n  set File = mass.mtx\n"
+                 "  set Role = mass\n end\n"
+                 " subsection Matrix part k\n  set File = stiffness.mtx\n end\n"
+                 " subsection Matrix part c\n  set File = damping.mtx\n"
+                 "  set Role = damping\n end\n"
+                 " subsection Matrix part n\n  set File = friction.mtx\n"
+                 "  set Role = friction\n end\nend\n"
+                 "subsection Eigenvalues\n set Highest frequency = 100\nend\n" +
+                 behind);
+    const Outcome o = run_program({program, "hidden.prm"});
+    check(o.code == 0, "decoupled masses: " + o.errors);
+    return read_csv("hidden/eigenvalues.csv");
+  }
+
+  void
+  check_growth(const Table       &table,
+               const unsigned int n_expected,
+               const double       sigma,
+               const std::string &name)
+  {
+    unsigned int n = 0;
+    Worst        off;
+    for (std::size_t r = 0; r < table.n_rows(); ++r)
+      if (table.real(r, "sigma_per_s") > 0.)
+        {
+          ++n;
+          off.add(std::abs(table.real(r, "sigma_per_s") / sigma - 1.));
+        }
+    check(n == n_expected,
+          name + ": " + std::to_string(n_expected) + " that grow, not " +
+            std::to_string(n));
+    check_within(off, 1e-6, name + ": as the closed form");
+  }
+
+  void
+  decoupled_masses(const std::string &program)
+  {
+    // lambda^2 = (attraction - 1) k
+    const double fast = .1 * 6000. * M_PI;
+    for (const unsigned int copies : {1u, 6u})
+      check_growth(with_hidden_masses(program, copies, 1.01, false, "cea", ""),
+                   copies,
+                   fast,
+                   std::to_string(copies) +
+                     " divergences by friction far above the band");
+    // lambda^2 - (1 + i g) lambda + k = 0, the root near 50 Hz
+    const double               k = 36e6 * M_PI * M_PI, omega = 100. * M_PI;
+    const std::complex<double> b(-1., -(k - omega * omega) / omega);
+    const std::complex<double> root = std::sqrt(b * b - 4. * k),
+                               far  = std::abs(root - b) > std::abs(root + b)
+                                        ? .5 * (root - b)
+                                        : -.5 * (root + b);
+    check_growth(with_hidden_masses(program, 1, 0., true, "cea", ""),
+                 1,
+                 (k / far).real(),
+                 "whirl with negative damping far above the band");
+    const Table table =
+      with_hidden_masses(program,
+                         1,
+                         1.,
+                         false,
+                         "sweep",
+                         "subsection Sweep\n set Axes = mu\n"
+                         " subsection Axis mu\n"
+                         "  set Entries = Scene/Friction coefficient\n"
+                         "  set From = 0.9\n  set To = 1.01\n"
+                         "  set Number = 12\n end\nend\n");
+    check_growth(table, 1, fast, "divergence at the last point of a sweep");
+  }
+
+  void
+  missing_pairs()
+  {
+    DirectPairs direct;
+    direct.pairs.lambda.resize(5);
+    direct.pairs.lambda << std::complex<double>(-1., 100.), 30., 0.,
+      std::complex<double>(2., 200.), std::complex<double>(0., 900.);
+    direct.pairs.residual = Eigen::VectorXd::Zero(5);
+    Eigen::VectorXcd known(1);
+    known << std::complex<double>(-1.00001, 100.);
+    const auto missing = pairs_missing(known, direct, 0., 800. / (2. * M_PI));
+    check(missing == std::vector<unsigned int>({1, 3}),
+          "direct pairs without a certified one, in the band");
+    const std::string text = text_of_missing(direct.pairs.lambda(missing));
+    check(text.find("2 pairs") != std::string::npos &&
+            text.find("0 Hz with sigma 30") != std::string::npos,
+          "are named, the fastest first: " + text);
+  }
 } // namespace
 
 int
@@ -240,4 +393,6 @@ main(int argc, char *argv[])
   slow_growth_in_a_wide_band(argv[1]);
   for (const std::string highest : {"200", "500", "1000"})
     without_mass(argv[1], highest);
+  decoupled_masses(argv[1]);
+  missing_pairs();
 }

@@ -99,6 +99,11 @@ main()
   check(table.n_rows() == 2 && table.real(1, "a") == 2.5 &&
           table.text(0, "b") == "x, \"y\"\nz",
         "byte order mark, \\r\\n, blanks, quotes and blank lines are read");
+  check(accepted("a,b\r1,2\r3,4\r").real(1, "b") == 4.,
+        "lines may all end with a carriage return");
+  refused("a\n1\r2\n",
+          path + ":2: a carriage return within the line",
+          "one between two numbers, which would be one");
   check(accepted("a,b\n").n_rows() == 0, "a header alone is a table");
   check(accepted("a\n1").n_rows() == 1, "the last line needs no end");
   check(accepted("name\nnan\nother\n").text(0, "name") == "nan",

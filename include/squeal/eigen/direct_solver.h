@@ -6,6 +6,8 @@
 #include <squeal/eigen/complex_pairs.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace squeal
 {
@@ -29,6 +31,20 @@ namespace squeal
    * more, so that rounding leaves none of them beyond it. */
   double reach_of(const Eigen::VectorXcd    &lambda,
                   const std::complex<double> shift);
+
+  /** Numbers of the pairs of @p direct inside the band, Hz, that is_of_band()
+   * tells and that have no eigenvalue of their own in @p known, 1/s, within a
+   * thousandth of their size. Left out are motions at 0 Hz that neither grow
+   * nor decay, pairs at an end of the band, and those whose residual shows that
+   * the direct solver has not converged on them. */
+  std::vector<unsigned int> pairs_missing(const Eigen::VectorXcd &known,
+                                          const DirectPairs      &direct,
+                                          const double            lowest,
+                                          const double            highest);
+
+  /** A sentence that names frequency and growth of @p missing eigenvalues, 1/s,
+   * those that grow first; empty where there are none. */
+  std::string text_of_missing(Eigen::VectorXcd missing);
 
   /**
    * The check of the certified solver: sparse shift-invert Arnoldi (PARPACK's

@@ -6,6 +6,7 @@
 #include <squeal/analyses/analyses.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/worst_of.h>
+#include <squeal/eigen/direct_solver.h>
 #include <squeal/model/adaptive_cea.h>
 #include <squeal/model/frequency_pencil.h>
 #include <squeal/model/linear_solver.h>
@@ -145,6 +146,21 @@ namespace squeal
 
 
 
+    /** The eigenvalues of direct_check.csv that have no certified one. */
+    Eigen::VectorXcd
+    pairs_without_certified(const Table &checks)
+    {
+      std::vector<std::complex<double>> lambda;
+      for (std::size_t r = 0; r < checks.n_rows(); ++r)
+        if (checks.is_missing(r, "frequency_hz"))
+          lambda.emplace_back(checks.real(r, "direct_sigma_per_s"),
+                              2. * M_PI *
+                                checks.real(r, "direct_frequency_hz"));
+      return Eigen::Map<const Eigen::VectorXcd>(lambda.data(), lambda.size());
+    }
+
+
+
     /** Whether no pair of the band is missing. Moduli over frequency take the
      * basis whatever solver is asked for. */
     bool
@@ -201,7 +217,7 @@ namespace squeal
 
 
 
-    /** How it is known that no pair of the band is missing. */
+    /** What of the basis of the band is proven. */
     std::string
     completeness_text(const EigenParameters &p,
                       const CeaSolution     &solution,
@@ -212,7 +228,7 @@ namespace squeal
       return "inertia, all " + std::to_string(modes.modes.n_certified) +
              " undamped modes below " +
              rounded_text(std::sqrt(modes.inverse->shift()) / (2. * M_PI), 6) +
-             " Hz" +
+             " Hz are in the basis" +
              (solution.lowest_frequency > p.lowest_frequency
                 ? ", pairs from " + rounded_text(solution.lowest_frequency, 4) +
                     " Hz on"
@@ -289,10 +305,14 @@ namespace squeal
     const std::string moduli = moduli_text(p.scene, pairs);
     if (!moduli.empty())
       context.write_table("moduli.csv", moduli_table(p.scene, pairs));
+    std::string missing;
     if (p.eigen.compare_direct)
-      context.write_table(
-        "direct_check.csv",
-        compare_with_direct(model, modes, pairs, context.log, context.timers));
+      {
+        const Table checks =
+          compare_with_direct(model, modes, pairs, context.log, context.timers);
+        context.write_table("direct_check.csv", checks);
+        missing = text_of_missing(pairs_without_certified(checks));
+      }
     write_signature(context, model, pairs);
     if (p.output.export_matrices)
       write_eigenpairs(context, *modes.pencil->space(), pairs, "matrices");
@@ -301,7 +321,11 @@ namespace squeal
     const UnstablePairs unstable = unstable_pairs(solution, quantities);
     const std::string   below    = text_below_band(solution, p.eigen),
                       left_out   = text_of_growth_left_out(solution),
-                      outside    = text_of_growth_outside(solution, p.eigen);
+                      elsewhere  = text_of_growth_outside(solution, p.eigen),
+                      outside =
+                        elsewhere +
+                        (elsewhere.empty() || missing.empty() ? "" : "; ") +
+                        missing;
     warn_of_growth_outside(solution, p.eigen, "", context.log);
     const OpenSigns open = open_signs(table);
     if (open.any())
@@ -331,6 +355,9 @@ namespace squeal
       context.record.figures.push_back({"below the band", below});
     if (!left_out.empty())
       context.record.figures.push_back({"left out", left_out});
+    if (!missing.empty())
+      context.record.figures.insert(context.record.figures.begin() + 1,
+                                    {"missing", missing});
     if (!moduli.empty())
       context.record.figures.push_back(
         {"moduli at the frequencies of the pairs", moduli});

@@ -144,7 +144,9 @@ namespace squeal
     double       worst = 0., least_ratio = 1e300, largest_ratio = 0.;
     unsigned int n_outside = 0, n_judged = 0, n_beyond = 0, n_held = 0,
                  n_false = 0;
-    Progress progress(
+    std::string  missing; // at the first point where any is
+    unsigned int n_missing = 0;
+    Progress     progress(
       context.log, "direct checks", context.parameters.sweep.direct_checks);
     for (const auto &point :
          check_points(model, solution, context.parameters.sweep.direct_checks))
@@ -197,7 +199,36 @@ namespace squeal
                 n_outside += ratio < 1. / 3. || ratio > 3.;
               }
           }
+        const auto lacking = pairs_missing(
+          pairs.lambda, direct, model.band().lowest, model.band().highest);
+        for (const unsigned int k : lacking)
+          {
+            std::vector<Cell> row;
+            for (unsigned int a = 0; a < grid.n_axes(); ++a)
+              row.emplace_back(grid.value(a, point[a]));
+            row.resize(row.size() + 2);
+            row.insert(row.end(),
+                       {direct.pairs.frequency(k), direct.pairs.sigma(k)});
+            row.resize(row.size() + 3);
+            table.add_row(row);
+            // All of it is wrong.
+            worst = worst_of(worst, 1.);
+          }
+        n_missing += !lacking.empty();
+        if (missing.empty())
+          if (const std::string text =
+                text_of_missing(direct.pairs.lambda(lacking));
+              !text.empty())
+            missing = "at " + text_of(grid, point) + " " + text;
         progress.advance();
+      }
+    if (n_missing > 0)
+      {
+        context.log.warning(
+          missing + "; so at " + std::to_string(n_missing) + " of the " +
+          std::to_string(context.parameters.sweep.direct_checks) +
+          " points of the direct checks");
+        context.record.figures.emplace_back("missing", missing);
       }
     context.log.info(
       "  direct checks: largest error " + rounded_text(worst, 2) +

@@ -108,11 +108,14 @@ namespace squeal::tribology
       }
 
     private:
-      static void
-      trim(std::string &line)
+      void
+      trim(std::string &line) const
       {
         if (!line.empty() && line.back() == '\r')
           line.pop_back();
+        if (line.find('\r') != std::string::npos)
+          refuse("a carriage return within the line: lines must end with a "
+                 "newline");
       }
 
       std::string              path;
