@@ -180,7 +180,9 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/consistent_frequencies.cc
     source/eigen/dense_quadratic.cc
     source/eigen/dense_scaling.cc
-    source/eigen/direct_solver.cc
+    source/eigen/direct_conditions.cc
+  source/eigen/direct_solver.cc
+  source/eigen/dominant_eigenvalues.cc
     source/eigen/estimate_errors.cc
     source/eigen/free_motion.cc
     source/eigen/frequency_dependence.cc

@@ -80,9 +80,12 @@ namespace squeal
   sigma_error(const ComplexPairs &pairs, const unsigned int i)
   {
     // Where no error is estimated, as by the direct solver, the residual is
-    // one, times the condition as far as it is known.
+    // one, times the condition; where that is not known it may be a
+    // coalescence, which moves by the root.
     const double estimate = std::isnan(pairs.error_estimate[i])
-                              ? pairs.residual[i] * pairs.condition[i]
+                              ? (std::isnan(pairs.condition[i])
+                                   ? std::sqrt(pairs.residual[i])
+                                   : pairs.residual[i] * pairs.condition[i])
                               : pairs.error_estimate[i],
                  floor    = pairs.noise_floor[i];
     return (estimate > floor ? estimate : floor) * std::abs(pairs.lambda[i]);

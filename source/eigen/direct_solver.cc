@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/base/exceptions.h>
+#include "dominant_eigenvalues.h"
+
 #include <squeal/base/number_text.h>
 #include <squeal/eigen/dense_quadratic.h>
 #include <squeal/eigen/direct_solver.h>
-
-#include <Eigen/Eigenvalues>
-
-#include <parpack.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,158 +19,6 @@ namespace squeal
     /** Imaginary part over the distance from the shift that may be rounding:
      * two real eigenvalues that nearly meet are good to its root. */
     constexpr double as_good_as_real = 1e-6;
-
-    double _Complex *
-    raw(Complex *pointer)
-    {
-      return reinterpret_cast<double _Complex *>(pointer);
-    }
-
-    /** znaupd's reverse communication in the plain mode with a given map. */
-    template <typename Operator>
-    void
-    arnoldi(const Operator    &apply,
-            const a_int        n,
-            const a_int        nev,
-            const a_int        ncv,
-            const double       tolerance,
-            const MPI_Fint     comm,
-            const unsigned int first_row,
-            Eigen::VectorXcd  &values,
-            Eigen::MatrixXcd  &vectors)
-    {
-      Eigen::VectorXcd     residual(n), work(3 * n);
-      Eigen::MatrixXcd     V(n, ncv);
-      std::vector<Complex> small(3 * ncv * ncv + 5 * ncv);
-      // PARPACK's header declares the real work array as complex.
-      std::vector<Complex> real_work(ncv);
-      for (a_int i = 0; i < n; ++i)
-        residual[i] = {1. + 0.5 * std::sin(1.7 * (first_row + i)),
-                       0.3 * std::cos(2.3 * (first_row + i))};
-      a_int parameters[11]{}, pointers[14]{}, ido = 0, info = 1;
-      parameters[0] = 1;
-      parameters[2] = 300;
-      parameters[3] = 1;
-      parameters[6] = 1;
-      while (true)
-        {
-          pznaupd_c(comm,
-                    &ido,
-                    "I",
-                    n,
-                    "LM",
-                    nev,
-                    tolerance,
-                    raw(residual.data()),
-                    ncv,
-                    raw(V.data()),
-                    n,
-                    parameters,
-                    pointers,
-                    raw(work.data()),
-                    raw(small.data()),
-                    static_cast<a_int>(small.size()),
-                    raw(real_work.data()),
-                    &info);
-          if (ido == 99)
-            break;
-          Eigen::Map<Eigen::VectorXcd>(work.data() + pointers[1] - 1, n) =
-            apply(
-              Eigen::Map<Eigen::VectorXcd>(work.data() + pointers[0] - 1, n));
-        }
-      if (info != 0)
-        throw ComputationError(
-          "the direct solver did not converge (ARPACK info " +
-          std::to_string(info) +
-          "): ask for fewer pairs or move Eigenvalues/"
-          "Direct shift frequency");
-      std::vector<a_int> select(ncv);
-      Eigen::VectorXcd   d(nev + 1), workev(2 * ncv);
-      vectors.resize(n, nev);
-      pzneupd_c(comm,
-                1,
-                "A",
-                select.data(),
-                raw(d.data()),
-                raw(vectors.data()),
-                n,
-                0.,
-                raw(workev.data()),
-                "I",
-                n,
-                "LM",
-                nev,
-                tolerance,
-                raw(residual.data()),
-                ncv,
-                raw(V.data()),
-                n,
-                parameters,
-                pointers,
-                raw(work.data()),
-                raw(small.data()),
-                static_cast<a_int>(small.size()),
-                raw(real_work.data()),
-                &info);
-      values = d.head(nev);
-    }
-
-
-
-    /** The eigenvalues of a small operator, at most @p most of them, the
-     * largest first, but for zeros, which stand for infinite lambda; @p apply
-     * takes and gives the rows of this rank, first those of one half of the
-     * vector, then those of the other. @p shift_size is |shift|. */
-    template <typename Operator>
-    void
-    dense_eigenvalues(const Operator    &apply,
-                      const RowSpace    &space,
-                      const unsigned int most,
-                      const double       shift_size,
-                      Eigen::VectorXcd  &values,
-                      Eigen::MatrixXcd  &vectors)
-    {
-      const Eigen::Index N = space.n_global(), n = space.n_owned(),
-                         first    = space.first_owned();
-      const auto own_rows_of_half = [&](auto &A, const Eigen::Index half) {
-        return A.middleRows(half * N + first, n);
-      };
-      Eigen::MatrixXd re = Eigen::MatrixXd::Zero(2 * N, 2 * N), im = re;
-      for (Eigen::Index j = 0; j < 2 * N; ++j)
-        {
-          Eigen::VectorXcd unit = Eigen::VectorXcd::Zero(2 * n);
-          if (const Eigen::Index row = j % N - first; row >= 0 && row < n)
-            unit[(j / N) * n + row] = 1.;
-          const Eigen::VectorXcd z = apply(unit);
-          for (const Eigen::Index half : {0, 1})
-            {
-              own_rows_of_half(re, half).col(j) = z.segment(half * n, n).real();
-              own_rows_of_half(im, half).col(j) = z.segment(half * n, n).imag();
-            }
-        }
-      space.sum(re);
-      space.sum(im);
-      const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(
-        re.cast<Complex>() + Complex(0., 1.) * im.cast<Complex>());
-      if (solver.info() != Eigen::Success)
-        throw ComputationError("the direct solver did not converge");
-      const Eigen::VectorXd size = solver.eigenvalues().cwiseAbs();
-      // A defective zero becomes the root of rounding.
-      const double zero = 1e-7 * std::min(size.maxCoeff(), 1. / shift_size);
-      std::vector<Eigen::Index> kept;
-      for (Eigen::Index i = 0; i < 2 * N; ++i)
-        if (size[i] > zero)
-          kept.push_back(i);
-      std::stable_sort(
-        kept.begin(), kept.end(), [&](const auto a, const auto b) {
-          return size[a] > size[b];
-        });
-      kept.resize(std::min<std::size_t>(kept.size(), most));
-      values                     = solver.eigenvalues()(kept);
-      const Eigen::MatrixXcd all = solver.eigenvectors()(Eigen::all, kept);
-      vectors.resize(2 * n, kept.size());
-      vectors << own_rows_of_half(all, 0), own_rows_of_half(all, 1);
-    }
   } // namespace
 
 
@@ -204,12 +49,16 @@ namespace squeal
 
 
 
+  double
+  DirectSolver::scale_of_rate() const
+  {
+    return std::abs(shift) > 0. ? std::abs(shift) : 1.;
+  }
+
   Eigen::VectorXcd
   DirectSolver::apply(const Eigen::VectorXcd &z) const
   {
-    // The second half, lambda x, in units of the shift: otherwise rounding of
-    // the larger half would move all eigenvalues.
-    const double       scale = std::abs(shift) > 0. ? std::abs(shift) : 1.;
+    const double       scale = scale_of_rate();
     const Eigen::Index n     = z.size() / 2;
     ComplexBlock       uv(n, 2);
     uv << z.head(n), scale * z.tail(n);
@@ -227,24 +76,16 @@ namespace squeal
   ComplexPairs
   DirectSolver::solve(const unsigned int n_pairs, const double tolerance) const
   {
-    const RowSpace    &space = *pencil.space();
-    const Eigen::Index n     = space.n_owned();
-    const unsigned int total = 2 * space.n_global();
-    const auto step = [this](const Eigen::VectorXcd &z) { return apply(z); };
-    Eigen::VectorXcd values;
-    Eigen::MatrixXcd vectors;
-    if (n_pairs + 2 > total)
-      dense_eigenvalues(step, space, n_pairs, std::abs(shift), values, vectors);
-    else
-      arnoldi(step,
-              static_cast<a_int>(2 * n),
-              static_cast<a_int>(n_pairs),
-              static_cast<a_int>(std::min(2 * n_pairs + 20, total)),
-              tolerance,
-              MPI_Comm_c2f(space.communicator()),
-              2 * space.first_owned(),
-              values,
-              vectors);
+    const Eigen::Index n = pencil.space()->n_owned();
+    Eigen::VectorXcd   values;
+    Eigen::MatrixXcd   vectors;
+    dominant_eigenvalues([this](const Eigen::VectorXcd &z) { return apply(z); },
+                         *pencil.space(),
+                         n_pairs,
+                         tolerance,
+                         std::abs(shift),
+                         values,
+                         vectors);
 
     const unsigned int        nev = values.size();
     std::vector<Eigen::Index> order(nev);
@@ -279,7 +120,7 @@ namespace squeal
     pairs.left           = ComplexBlock::Zero(n, nev);
     pairs.left_residual  = Eigen::VectorXd::Constant(nev, std::nan(""));
     pairs.error_estimate = Eigen::VectorXd::Constant(nev, std::nan(""));
-    pairs.condition      = Eigen::VectorXd::Constant(nev, 1.);
+    pairs.condition      = Eigen::VectorXd::Constant(nev, std::nan(""));
     pairs.pair_partner.assign(nev, -1);
     return pairs;
   }

@@ -41,13 +41,20 @@ namespace squeal
     stiffness_part =
       lone_part([](const TermCoefficients &c) { return c.stiffness.real(); });
     const Block probe = probe_of_rows(*pencil.space());
-    for (const auto &part : pencil.parts())
+    for (std::size_t i = 0; i < pencil.parts().size(); ++i)
       {
+        const auto &part = pencil.parts()[i];
         projected.push_back({Eigen::MatrixXd(0, 0), part.coefficients});
-        products.emplace_back(part.matrix->multiply(probe).col(0));
-        transposed_products.emplace_back(
-          part.symmetric ? Eigen::VectorXd()
-                         : part.matrix->multiply_transposed(probe).col(0));
+        products.emplace_back();
+        transposed_products.emplace_back();
+        if (!part.symmetric)
+          {
+            products[i].reach(part.matrix->multiply(probe).col(0));
+            transposed_products[i].reach(
+              part.matrix->multiply_transposed(probe).col(0));
+          }
+        else if (i != mass_part && basis.keeps_products())
+          products[i].reach(part.matrix->multiply(probe).col(0));
       }
   }
 
@@ -70,7 +77,8 @@ namespace squeal
 
 
 
-  ReducedBasis::Product::Product(const Eigen::VectorXd &A_probe)
+  void
+  ReducedBasis::Product::reach(const Eigen::VectorXd &A_probe)
   {
     for (Eigen::Index i = 0; i < A_probe.size(); ++i)
       if (A_probe[i] != 0.)

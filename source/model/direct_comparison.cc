@@ -16,19 +16,33 @@ namespace squeal
 {
   namespace
   {
+    /** Frequency, Hz, nearest to which the direct solver looks. */
+    double
+    shift_frequency(const EigenParameters &p)
+    {
+      return p.direct_shift_frequency >= 0.
+               ? p.direct_shift_frequency
+               : 0.5 * (p.lowest_frequency + p.highest_frequency);
+    }
+
+    DirectSolver
+    direct_solver(const Model &model, const ModeSolution &modes)
+    {
+      return {*modes.pencil,
+              {0., 2. * M_PI * shift_frequency(model.parameters().eigen)}};
+    }
+
     /** Pairs by the direct solver of the band and some beyond it; where their
      * number is not given, as far as to @p stated eigenvalues. */
     DirectPairs
-    direct_pairs_of(const Model            &model,
+    direct_pairs_of(const DirectSolver     &solver,
+                    const Model            &model,
                     const ModeSolution     &modes,
                     const Eigen::VectorXcd &stated = {})
     {
       const auto                &p = model.parameters().eigen;
-      const double               f = p.direct_shift_frequency >= 0.
-                                       ? p.direct_shift_frequency
-                                       : 0.5 * (p.lowest_frequency + p.highest_frequency);
+      const double               f = shift_frequency(p);
       const std::complex<double> shift(0., 2. * M_PI * f);
-      const DirectSolver         solver(*modes.pencil, shift);
       if (p.number_of_pairs > 0)
         return solver.solve_within(0., p.number_of_pairs);
       // Within the distance to the farther edge of the band there may be as
@@ -59,8 +73,11 @@ namespace squeal
   ComplexPairs
   solve_direct(const Model &model, const ModeSolution &modes)
   {
-    return in_band(direct_pairs_of(model, modes).pairs,
-                   model.parameters().eigen);
+    const DirectSolver solver = direct_solver(model, modes);
+    ComplexPairs pairs = in_band(direct_pairs_of(solver, model, modes).pairs,
+                                 model.parameters().eigen);
+    solver.find_conditions(pairs);
+    return pairs;
   }
 
 
@@ -72,8 +89,9 @@ namespace squeal
                       RunLog             &log,
                       Timers             &timers)
   {
-    Timers::Section     section(timers, "Solve: direct check");
-    const DirectPairs   found = direct_pairs_of(model, modes, certified.lambda);
+    Timers::Section   section(timers, "Solve: direct check");
+    const DirectPairs found = direct_pairs_of(
+      direct_solver(model, modes), model, modes, certified.lambda);
     const ComplexPairs &direct = found.pairs;
     using Type                 = Table::Type;
     Table  table({{"index", Type::integer, "", "number of the pair, from 1"},

@@ -304,8 +304,18 @@ namespace squeal
       if (!t.is_missing(i, "dofs") &&
           (best == t.n_rows() || t.real(i, "dofs") < t.real(best, "dofs")))
         best = i;
+    const auto is_within = [&t](const std::size_t i) {
+      return t.has_column("found") && t.text(i, "found") == "by every rung";
+    };
     if (t.n_rows() == 0 || best == t.n_rows())
-      return "no ladder tells what the asked error takes";
+      {
+        std::string text = "no ladder tells what the asked error takes";
+        for (std::size_t i = 0; i < t.n_rows(); ++i)
+          if (is_within(i))
+            text +=
+              "; every rung of '" + t.text(i, "ladder") + "' is within it";
+        return text;
+      }
     std::string text =
       "an error of " + percent(t.real(best, "error_rel")) + " % takes " +
       rounded_text(t.real(best, "dofs"), 3) + " unknowns" +
@@ -316,7 +326,9 @@ namespace squeal
       t.text(best, "found") + ")";
     for (std::size_t i = 0; i < t.n_rows(); ++i)
       if (i != best)
-        text += t.is_missing(i, "dofs_over_least")
+        text += is_within(i)
+                  ? "; every rung of '" + t.text(i, "ladder") + "' is within it"
+                : t.is_missing(i, "dofs_over_least")
                   ? "; '" + t.text(i, "ladder") + "' does not reach it"
                   : "; " + rounded_text(t.real(i, "dofs_over_least"), 3) +
                       " times as many unknowns by '" + t.text(i, "ladder") +

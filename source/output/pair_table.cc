@@ -86,7 +86,9 @@ namespace squeal
         2},
        [](const PairRow &r) { return or_missing(r.discretisation_error); }},
       {{"condition", Type::real, "", "of the eigenvalue", 3},
-       [](const PairRow &r) { return unbounded(r.condition); }},
+       [](const PairRow &r) {
+         return std::isnan(r.condition) ? Cell() : unbounded(r.condition);
+       }},
       {{"abaqus_damping_ratio",
         Type::real,
         "",

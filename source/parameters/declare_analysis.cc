@@ -299,7 +299,7 @@ namespace squeal
                    "Write M, C and K, the parts they are sums of and the "
                    "complex eigenvalues and vectors as MatrixMarket files to "
                    "the folder matrices; 'Analysis = work precision' writes no "
-                   "parts, and a folder for each mesh. For 'modes', 'cea', "
+                   "parts, and a folder for each rung. For 'modes', 'cea', "
                    "'preload', 'work precision' and a single 'transient'.");
         schema.add("Display scale",
                    o.slip_display_scale,

@@ -34,10 +34,13 @@ namespace squeal
       --good;
     if (rungs.size() < 2 || good == 0)
       return {};
-    const bool   beyond = good == rungs.size();
-    const auto  &to     = rungs[beyond ? good - 1 : good];
-    const auto  &from   = rungs[beyond ? good - 2 : good - 1];
-    const double slope  = (to.second - from.second) / (to.first - from.first);
+    const bool  beyond = good == rungs.size();
+    const auto &to     = rungs[beyond ? good - 1 : good];
+    const auto &from   = rungs[beyond ? good - 2 : good - 1];
+    // No law leads to an error of zero: what its rung costs is enough.
+    if (std::isinf(to.second))
+      return CostAtError{std::exp(to.first), false};
+    const double slope = (to.second - from.second) / (to.first - from.first);
     if (!(slope < 0.))
       return {};
     const double cost = from.first + (std::log(goal) - from.second) / slope;

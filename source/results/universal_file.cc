@@ -24,7 +24,8 @@ namespace squeal
     std::string
     title_line(const std::string &text)
     {
-      return (text.empty() ? "NONE" : text.substr(0, 80)) + "\n";
+      return (text.empty() ? "NONE" : text.substr(0, universal_title_length)) +
+             "\n";
     }
 
     void

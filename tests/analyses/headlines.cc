@@ -456,21 +456,23 @@ namespace
          {rounded_text(0.1, 3) + ", at " + rounded_text(0.2, 3) + " m/s"},
          "a run whose speed rises says where friction is least");
 
-    says(
-      work_headline(table_of({"$ladder",
-                              "error_rel",
-                              "dofs",
-                              "dofs_over_least",
-                              "seconds",
-                              "$found"},
-                             {{"uniform", 1e-3, 3e5, 6.5, 70., "beyond"},
-                              {"adaptive", 1e-3, 47600., 1., 12., "between"},
-                              {"degree", 1e-3, Cell(), Cell(), Cell(), "-"}})),
-      {"0.100 %",
-       "47600 unknowns and 12.0 s by the ladder 'adaptive' (between)",
-       "6.50 times as many unknowns by 'uniform'",
-       "'degree' does not reach it"},
-      "work says what the asked error takes");
+    says(work_headline(table_of(
+           {"$ladder",
+            "error_rel",
+            "dofs",
+            "dofs_over_least",
+            "seconds",
+            "$found"},
+           {{"uniform", 1e-3, 3e5, 6.5, 70., "beyond"},
+            {"adaptive", 1e-3, 47600., 1., 12., "between"},
+            {"degree", 1e-3, Cell(), Cell(), Cell(), "-"},
+            {"basis", 1e-3, Cell(), Cell(), Cell(), "by every rung"}})),
+         {"0.100 %",
+          "47600 unknowns and 12.0 s by the ladder 'adaptive' (between)",
+          "6.50 times as many unknowns by 'uniform'",
+          "'degree' does not reach it",
+          "every rung of 'basis' is within it"},
+         "work says what the asked error takes");
     says(work_headline(table_of({"$ladder", "dofs"}, {{"a", Cell()}})),
          {"no ladder"},
          "or that nothing is known");

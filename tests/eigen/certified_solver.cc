@@ -66,11 +66,20 @@ namespace
     const ComplexPairs certified = model.solve(band(500., top));
     check(certified.size() > 8, name + ": pairs in the band");
     const DirectSolver direct(model.pencil, Complex(100., M_PI * top));
-    const ComplexPairs exact = direct.solve(certified.size() + 12);
-    Worst              worst;
+    ComplexPairs       exact = direct.solve(certified.size() + 12);
+    direct.find_conditions(exact);
+    Worst worst, of_conditions;
     for (unsigned int i = 0; i < certified.size(); ++i)
-      worst.add(distance(exact.lambda, certified.lambda[i]));
+      {
+        worst.add(distance(exact.lambda, certified.lambda[i]));
+        Eigen::Index same = 0;
+        (exact.lambda.array() - certified.lambda[i]).abs().minCoeff(&same);
+        of_conditions.add(
+          std::abs(exact.condition[same] / certified.condition[i] - 1.));
+      }
     check_below(worst.largest(), 1e-8, name + ": certified against direct");
+    check_below(
+      of_conditions.largest(), 1e-4, name + ": the conditions of both agree");
     unsigned int n = 0;
     for (unsigned int i = 0; i < exact.size(); ++i)
       if (exact.frequency(i) > 500. && exact.frequency(i) < top &&

@@ -50,5 +50,9 @@ main()
           !cost_at_error(costs, errors, .99e-6),
         "a law of two rungs tells no more than three decades");
   check(!cost_at_error({10., 100.}, {1e-2, 1.}, 1e-3), "errors that rise");
+  check_cost(cost_at_error({10., 100.}, {1., 0.}, .1),
+             100.,
+             false,
+             "a rung without an error is enough");
   return 0;
 }

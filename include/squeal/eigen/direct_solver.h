@@ -62,7 +62,8 @@ namespace squeal
 
     /**
      * The @p n_pairs eigenvalues nearest to the shift with right vectors and
-     * residuals (no left vectors, no error estimates: NaN). Eigenvalues of both
+     * residuals (no left vectors, no conditions, no error estimates: NaN).
+     * Eigenvalues of both
      * half-planes may be among them. An imaginary part below 1e-6 times the
      * distance from the shift may be rounding and is 0. Throws ComputationError
      * when ARPACK does not converge.
@@ -76,8 +77,20 @@ namespace squeal
     DirectPairs solve_within(const double       radius,
                              const unsigned int n_pairs) const;
 
+    /** Conditions of the @p pairs of solve(), from the left vectors of the
+     * transposed problem. NaN where there is no left vector for a pair. Throws
+     * as solve(). */
+    void find_conditions(ComplexPairs &pairs,
+                         const double  tolerance = 1e-12) const;
+
   private:
     Eigen::VectorXcd apply(const Eigen::VectorXcd &z) const;
+    Eigen::VectorXcd apply_transposed(const Eigen::VectorXcd &z) const;
+    /** Left vectors of the pencil from those of the step, one a column. */
+    ComplexBlock left_vectors(const ComplexBlock &Z) const;
+    /** 1/s. The second half of a vector, lambda x, is in units of the shift:
+     * otherwise rounding of the larger half would move all eigenvalues. */
+    double scale_of_rate() const;
 
     const Pencil                                             &pencil;
     std::complex<double>                                      shift;

@@ -85,9 +85,9 @@ namespace squeal
     {
       std::vector<Eigen::Index> rows; /**< empty: all */
       GrowingBlock              columns;
-      /** On the rows in which the product with a column without zeros is not
-       * zero, where these are few. */
-      explicit Product(const Eigen::VectorXd &A_probe);
+      /** Takes the rows in which the product with a column without zeros is
+       * not zero, where these are few. */
+      void reach(const Eigen::VectorXd &A_probe);
       void append(const Eigen::Ref<const Block> &AW);
       /** X^T A W for the columns W appended last. */
       Eigen::MatrixXd projected_on(const Eigen::Map<const Block> &X,

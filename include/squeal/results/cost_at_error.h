@@ -17,8 +17,9 @@ namespace squeal
   /**
    * Cost at which the error falls to @p goal and stays there: on the power law
    * between the two rungs about it, or on that of the last two rungs beyond
-   * the finest. @p costs and @p errors (positive, in any order of cost) have
-   * one entry a rung. Nothing if there are fewer than two rungs, if every rung
+   * the finest. @p costs (positive) and @p errors, in any order of cost, have
+   * one entry a rung; where the better of the two rungs has no error it is the
+   * cost of that one. Nothing if there are fewer than two rungs, if every rung
    * is at or below the goal (the cost is then only bounded), or if the errors
    * do not fall towards a goal beyond the finest rung, or if it lies beyond a
    * thousand times the cost of the dearest one.

@@ -10,6 +10,9 @@
 
 namespace squeal
 {
+  /** Characters of a line of text, of which the rest is cut. */
+  constexpr std::size_t universal_title_length = 80;
+
   /** A point and direction as universal files name them. */
   struct UniversalPoint
   {

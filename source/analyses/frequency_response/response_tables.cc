@@ -198,15 +198,20 @@ namespace squeal
   namespace
   {
     /** Name of mode @p k; the second and later modes of one name have their
-     * number in it too, so that a shape can be found by its title. */
+     * number in it too, so that a shape can be found by its title. Long names
+     * leave room for that, and count as one where they differ behind it. */
     std::string
     title_of(const StateResponse &state, const unsigned int k)
     {
-      const std::string &name = state.names[k].text;
-      unsigned int       n    = 1;
+      constexpr std::size_t room      = universal_title_length - 6;
+      const auto            beginning = [&](const unsigned int i) {
+        return state.names[i].text.substr(0, room);
+      };
+      unsigned int n = 1;
       for (unsigned int i = 0; i < k; ++i)
-        n += state.names[i].text == name;
-      return n == 1 ? name : name + " #" + std::to_string(n);
+        n += beginning(i) == beginning(k);
+      return n == 1 ? state.names[k].text
+                    : beginning(k) + " #" + std::to_string(n);
     }
   } // namespace
 

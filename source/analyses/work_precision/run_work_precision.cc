@@ -65,28 +65,25 @@ namespace squeal
       return stages;
     }
 
-    /** Matrices and pairs of a mesh that no earlier rung had. */
+    /** Matrices and pairs of a rung in a folder of its own: meshes of two
+     * ladders may have as many unknowns, and one mesh has pairs from several
+     * bases. */
     void
-    write_problem(RunContext              &context,
-                  const Pencil            &pencil,
-                  const ComplexPairs      *pairs,
-                  const std::vector<Rung> &earlier,
-                  Rung                    &rung)
+    write_problem(RunContext         &context,
+                  const Pencil       &pencil,
+                  const ComplexPairs *pairs,
+                  Rung               &rung)
     {
-      rung.matrices = "matrices_" + std::to_string(rung.dofs);
-      for (const Rung &other : earlier)
-        if (other.matrices == rung.matrices)
-          return;
+      rung.matrices = "matrices_" + choice_name(rung.ladder) + "_" +
+                      prm::format_number(rung.setting);
+      std::replace(rung.matrices.begin(), rung.matrices.end(), ' ', '_');
       write_matrices(context, pencil, rung.matrices);
       if (pairs)
         write_eigenpairs(context, *pencil.space(), *pairs, rung.matrices);
     }
 
     Rung
-    climb(RunContext              &context,
-          const Ladder             ladder,
-          const double             value,
-          const std::vector<Rung> &earlier)
+    climb(RunContext &context, const Ladder ladder, const double value)
     {
       const Parameters p =
         parameters_of_rung(context.parameters, ladder, value);
@@ -128,7 +125,7 @@ namespace squeal
       // After the clock was read, and the memory.
       if (p.output.export_matrices)
         write_problem(
-          context, *modes.pencil, cea ? &cea->pairs : nullptr, earlier, rung);
+          context, *modes.pencil, cea ? &cea->pairs : nullptr, rung);
       return rung;
     }
 
@@ -282,7 +279,15 @@ namespace squeal
           const auto cell = [](const auto &cost, const double over) {
             return cost ? Cell(cost->cost / over) : Cell();
           };
-          const std::string found = !dofs[i]                ? "not found"
+          const std::vector<double> &errors = series[i].errors;
+          // A cost of the least rung or less, which is only a bound.
+          const bool is_bounded =
+            !errors.empty() &&
+            std::all_of(errors.begin(), errors.end(), [goal](const double e) {
+              return e <= goal;
+            });
+          const std::string found = is_bounded              ? "by every rung"
+                                    : !dofs[i]              ? "not found"
                                     : dofs[i]->extrapolated ? "extrapolated"
                                                             : "interpolated";
           table.add_row({series[i].label,
@@ -364,7 +369,7 @@ namespace squeal
     std::vector<Rung> rungs;
     for (const Ladder ladder : p.ladders)
       for (const double value : p.rungs(ladder))
-        rungs.push_back(climb(context, ladder, value, rungs));
+        rungs.push_back(climb(context, ladder, value));
     if (rungs.empty() || rungs.back().values.empty())
       throw InputError(
         "Work precision/Values: the ladder gave no values in the "
