@@ -52,17 +52,18 @@ namespace squeal
 
 
 
-    /** Of |lambda|: an imaginary part that rounding makes of two real
-     * eigenvalues that are one number. */
-    constexpr double rounding_of_real = 1e-12;
+    /** Of |lambda|, and of the size of the wanted ones: an imaginary part that
+     * rounding makes of two real eigenvalues that are one number. */
+    constexpr double rounding_of_real = 1e-11, rounding_of_size = 1e-14;
 
     /** The eigenvalues of real matrices, among which equal real ones are not a
      * pair of conjugates: of that only one would be kept. */
     std::vector<Complex>
-    of_real_matrices(std::vector<Complex> lambda)
+    of_real_matrices(std::vector<Complex> lambda, const double size)
     {
       for (Complex &l : lambda)
-        if (std::abs(l.imag()) <= rounding_of_real * std::abs(l))
+        if (std::abs(l.imag()) <=
+            rounding_of_real * std::abs(l) + rounding_of_size * size)
           l.imag(0.);
       return lambda;
     }
@@ -177,8 +178,9 @@ namespace squeal
           lambda.push_back(big == 0. ? 0. : kappa / big);
           column.insert(column.end(), 2, i);
         }
-      return select(has_real_entries<Matrix> ? of_real_matrices(lambda)
-                                             : lambda,
+      return select(has_real_entries<Matrix>
+                      ? of_real_matrices(lambda, std::sqrt(inverted.kappa_0))
+                      : lambda,
                     column,
                     right,
                     left);
@@ -243,8 +245,9 @@ namespace squeal
             lambda.push_back(companion.s + companion.s / pairs.values[i]);
             column.push_back(i);
           }
-      return select(has_real_entries<Matrix> ? of_real_matrices(lambda)
-                                             : lambda,
+      return select(has_real_entries<Matrix>
+                      ? of_real_matrices(lambda, companion.s)
+                      : lambda,
                     column,
                     right,
                     left);

@@ -24,7 +24,7 @@ namespace squeal
      * one that grows, and taken from the improved one: there the undamped modes
      * of the complement are not, since V holds those up to sqrt(2) times the
      * edge. */
-    constexpr double first_reach = 3., first_reach_of_growth = 100.,
+    constexpr double first_reach = 3., first_reach_of_growth = 1e4,
                      last_reach = 1.2;
     /** Of those that are looked at, what grows and the nearest first. */
     constexpr Eigen::Index most_candidates = 8;
