@@ -294,6 +294,7 @@ set(SQUEAL_SOURCES_RESULTS
     source/results/hdf5_file.cc
     source/results/history_reader.cc
     source/results/history_stream.cc
+    source/results/history_times.cc
     source/results/history_writer.cc
     source/results/html_report.cc
     source/results/json_file.cc

@@ -4,6 +4,7 @@
 #include <squeal/base/input_file.h>
 #include <squeal/base/sealed_file.h>
 #include <squeal/results/contact_history.h>
+#include <squeal/results/history_times.h>
 #include <squeal/results/table.h>
 
 #include <algorithm>
@@ -94,21 +95,6 @@ namespace squeal
         else if (std::find(names.begin(), name, *name) != name)
           refuse(file.path(), "has two contact pairs '" + *name + "'");
       return names;
-    }
-
-    /** All pairs have the times of the first. */
-    void
-    check_times_of_pairs(const Hdf5File &file)
-    {
-      std::vector<double> first;
-      for (const std::string &name : pair_names(file))
-        if (auto times = file.read("pairs/" + name + "/samples/time");
-            first.empty())
-          first = std::move(times);
-        else if (times != first)
-          refuse(file.path(),
-                 "has other times in the contact pair '" + name +
-                   "' than in the first");
     }
 
     /** Where the pair asked for is. */
@@ -270,8 +256,8 @@ namespace squeal
     check_format(file);
     group     = group_of(file, pair);
     what.pair = pair;
-    check_times_of_pairs(file);
     read_layout();
+    check_times(file, pair_names(file));
   }
 
 
@@ -451,11 +437,6 @@ namespace squeal
       get_at(group + name, is_there, values);
     };
     get("samples/time", true, s.time);
-    for (std::size_t i = 1; i < s.time.size(); ++i)
-      if (!(s.time[i] > s.time[i - 1]))
-        refuse(file.path(),
-               "has times that do not increase, at " +
-                 shortest_text(s.time[i]) + " s");
     get("samples/pressure", true, s.pressure);
     get("samples/traction", true, s.traction);
     get("samples/slip_rate", what.has_slip_rate, s.slip_rate);

@@ -2,10 +2,15 @@
 
 // What is wrong with a history is said in the words of what is wrong: nodes at
 // one place, changes of status that no sample reaches, damage beyond the
-// numbers, pairs that share a name or not their times. Argument: the program.
+// numbers, pairs that share a name or not their times, times that begin again
+// or are no numbers outside the window. Argument: the program.
 #include "../analyses/program.h"
 
 #include <squeal/results/contact_history.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -123,6 +128,65 @@ namespace
 
 
 
+  /** Times that begin again or are no numbers, where the window, or the first
+   * and the last time, do not show them. */
+  void
+  broken_times()
+  {
+    HistoryLayout layout;
+    for (const double y : {0., 1e-3})
+      for (const double x : {0., 1e-3})
+        layout.points.push_back({{x, y, 0.}});
+    layout.areas.assign(4, .25e-6);
+    layout.has_gap = layout.has_slip_rate = layout.has_resultants = false;
+    layout.has_status                                             = false;
+    constexpr std::size_t n                                       = 20;
+    const auto            run =
+      [&](const std::function<void(std::vector<double> &)> &break_times) {
+        HistorySamples s;
+        for (std::size_t i = 0; i < n; ++i)
+          s.time.push_back(1e-3 * double(i));
+        s.pressure.assign(4 * n, 1e6);
+        s.traction.assign(8 * n, 1e5);
+        break_times(s.time);
+        HistoryWriter writer("times.h5", layout);
+        writer.append(s);
+        writer.finish();
+        return run_damage("times.h5\n  set Start time = 12e-3", "");
+      };
+    const Outcome whole = run([](std::vector<double> &) {});
+    check(whole.code == 0, "whole times pass: " + whole.errors);
+    const auto refuses =
+      [&](const std::string                                &claim,
+          const std::string                                &part,
+          const std::function<void(std::vector<double> &)> &break_times) {
+        const Outcome outcome = run(break_times);
+        check(outcome.code == 2 && has(outcome.errors, "times.h5' " + part),
+              claim + ": " + outcome.errors);
+      };
+    const std::string       no_number = "holds a value that is not a number";
+    static constexpr double infinite  = std::numeric_limits<double>::infinity();
+    refuses("a second recording whose times begin again",
+            "has times that do not increase, at 0 s",
+            [](std::vector<double> &t) {
+              for (std::size_t i = 3; i < n; ++i)
+                t[i] = 1e-3 * double(i - 3);
+            });
+    refuses("times that are infinite from some sample on",
+            no_number,
+            [](std::vector<double> &t) {
+              std::fill(t.end() - 4, t.end(), infinite);
+            });
+    refuses("a last time that is no number",
+            no_number,
+            [](std::vector<double> &t) { t.back() = std::nan(""); });
+    refuses("a first time of minus infinity",
+            no_number,
+            [](std::vector<double> &t) { t.front() = -infinite; });
+  }
+
+
+
   /** The damage at an exponent of 100 under stresses far above the one of
    * reference. */
   void
@@ -172,4 +236,5 @@ main(int argc, char **argv)
   doubled_nodes_and_late_changes();
   beyond_numbers();
   unlike_pairs();
+  broken_times();
 }

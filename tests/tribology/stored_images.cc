@@ -18,6 +18,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <cmath>
+
 #include "tiff_file.h"
 
 using namespace squeal;
@@ -96,6 +98,23 @@ namespace
     for (const char *file : {"inverted_8.tif", "inverted_16.tif"})
       check(same(read_grey(file), read_grey("bits.png")),
             std::string("white is zero is read as meant: ") + file);
+    check(read_micrograph("inverted_16.tif", 1.).warnings.empty(),
+          "without a warning where all bits are used");
+    for (const int bits : {10, 12})
+      {
+        const double most = std::pow(2., bits) - 1.;
+        write_text(
+          "inverted_few.tif",
+          tiff_file({{most - of_16_bit(image, std::pow(2., bits - 8)), 0}}));
+        const auto warnings = read_micrograph("inverted_few.tif", 1.).warnings;
+        check(
+          warnings.size() == 1 &&
+            warnings[0].find("of its 16 bits the picture uses " +
+                             std::to_string(bits) + ":") != std::string::npos &&
+            warnings[0].find("subtract its values from " +
+                             std::to_string(int(most))) != std::string::npos,
+          "where black lies in few bits is not known, which is said");
+      }
   }
 
 

@@ -307,17 +307,11 @@ namespace squeal::tribology
                  const std::function<void(const HistorySamples &)> &action)
   {
     HistorySamples samples;
-    double         last = -1e300;
     for (std::uint64_t done = 0; done < window.n;)
       {
         const std::uint64_t n =
           std::min<std::uint64_t>(n_chunk, window.n - done);
         reader.read(window.first + done, n, samples);
-        if (!(samples.time[0] > last))
-          throw InputError("'" + reader.path() +
-                           "' has times that do not increase, at " +
-                           rounded_text(samples.time[0], 6) + " s");
-        last = samples.time.back();
         action(samples);
         done += n;
       }

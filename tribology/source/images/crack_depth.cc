@@ -41,6 +41,27 @@ namespace squeal::tribology
 
 
 
+    /** Logarithms of the probability of the peak of @p dip where @p expected
+     * ones are true, but for a constant. */
+    Eigen::ArrayXXd
+    fit_of_peak(const Dip &dip, const Eigen::ArrayXXd &expected)
+    {
+      return -0.5 * square((expected - dip.peak) / peak_error);
+    }
+
+    /** The same for each column with the depth that fits best: peaks grow with
+     * the depth, so that between those of the first and of the last row some
+     * depth has any. */
+    Eigen::ArrayXd
+    best_fit_of_peak(const Dip &dip, const Eigen::ArrayXXd &expected)
+    {
+      const Eigen::ArrayXXd nearest =
+        expected.topRows(1).max(dip.peak).min(expected.bottomRows(1));
+      return fit_of_peak(dip, nearest).row(0).transpose();
+    }
+
+
+
     /** Logarithms from the smallest to the largest depth. */
     Eigen::ArrayXd
     logarithms_of_depths()
@@ -88,12 +109,24 @@ namespace squeal::tribology
 
 
 
-    /** Positive numbers of which @p logarithms are known but for a constant. */
+    /** Probabilities of the means of images, from their @p logarithms: those of
+     * each blur, with the assumption and without it, have the sum that its
+     * logarithm in @p of_blurs says. */
     Eigen::ArrayXXd
-    shares_of(const Eigen::ArrayXXd &logarithms)
+    shares_of(const Eigen::ArrayXXd &logarithms, const Eigen::ArrayXd &of_blurs)
     {
-      const Eigen::ArrayXXd p = (logarithms - logarithms.maxCoeff()).exp();
-      return p / p.sum();
+      Eigen::ArrayXXd result(n_depths, 2 * n_blurs);
+      for (int k = 0; k < n_blurs; ++k)
+        {
+          const auto with        = logarithms.col(k),
+                     less        = logarithms.col(n_blurs + k);
+          const double most      = std::max(with.maxCoeff(), less.maxCoeff());
+          const Eigen::ArrayXd a = (with - most).exp(), b = (less - most).exp();
+          const double share      = std::exp(of_blurs[k]) / (a.sum() + b.sum());
+          result.col(k)           = share * a;
+          result.col(n_blurs + k) = share * b;
+        }
+      return result / result.sum();
     }
 
 
@@ -116,7 +149,7 @@ namespace squeal::tribology
 
 
   Eigen::ArrayXXd
-  CrackDepth::likelihood(const Dip &dip) const
+  CrackDepth::peaks(const Dip &dip) const
   {
     Eigen::ArrayXXd      result(n_depths, n_blurs);
     const Eigen::ArrayXd depth_of = depths.exp();
@@ -124,12 +157,8 @@ namespace squeal::tribology
       {
         const double b = blur * std::exp(blur_error * blur_nodes[k]);
         for (int i = 0; i < n_depths; ++i)
-          {
-            const double depth = depth_of[i];
-            const double peak =
-              depth * std::erf(dip.deficit / depth / (2. * std::sqrt(2.) * b));
-            result(i, k) = -0.5 * square((dip.peak - peak) / peak_error);
-          }
+          result(i, k) = depth_of[i] * std::erf(dip.deficit / depth_of[i] /
+                                                (2. * std::sqrt(2.) * b));
       }
     return result;
   }
@@ -146,26 +175,35 @@ namespace squeal::tribology
     , scatter(scatter_of(depths))
   {
     Eigen::ArrayXXd logarithms = assumed_means(depths).log();
+    Eigen::ArrayXd  of_blurs(n_blurs);
+    for (int k = 0; k < n_blurs; ++k)
+      of_blurs[k] = std::log(blur_weights[k]);
     for (const std::vector<Dip> &crack : cracks)
       {
         // Each crack has one vote: its pixels are wrong together.
         Eigen::ArrayXXd   vote    = Eigen::ArrayXXd::Zero(n_depths, n_blurs);
+        Eigen::ArrayXd    best    = Eigen::ArrayXd::Zero(n_blurs);
         double            weights = 0.;
         const std::size_t step    = 1 + crack.size() / some_dips;
         for (std::size_t i = 0; i < crack.size(); i += step)
           {
-            vote += crack[i].deficit * likelihood(crack[i]);
+            const Eigen::ArrayXXd expected = peaks(crack[i]);
+            vote += crack[i].deficit * fit_of_peak(crack[i], expected);
+            best += crack[i].deficit * best_fit_of_peak(crack[i], expected);
             weights += crack[i].deficit;
           }
         if (weights <= 0.)
           continue;
         vote /= weights;
+        of_blurs += best / weights;
+        const Eigen::ArrayXXd seen =
+          (vote.rowwise() - vote.colwise().maxCoeff()).exp();
         const Eigen::ArrayXXd of_means =
-          (scatter * (vote - vote.maxCoeff()).exp().matrix()).array().log();
+          (scatter * seen.matrix()).array().log();
         logarithms.leftCols(n_blurs) += of_means;
         logarithms.rightCols(n_blurs) += of_means;
       }
-    const Eigen::ArrayXXd shares = shares_of(logarithms);
+    const Eigen::ArrayXXd shares = shares_of(logarithms, of_blurs);
     means  = shares.leftCols(n_blurs) + shares.rightCols(n_blurs);
     before = scatter.transpose() * means.matrix();
     const Eigen::VectorXd holds = shares.col(likeliest),
@@ -178,7 +216,7 @@ namespace squeal::tribology
   CrackDepth::Width
   CrackDepth::width(const Dip &dip) const
   {
-    const Eigen::ArrayXXd logarithms = likelihood(dip);
+    const Eigen::ArrayXXd logarithms = fit_of_peak(dip, peaks(dip));
     const Eigen::ArrayXXd seen  = (logarithms - logarithms.maxCoeff()).exp();
     const Eigen::ArrayXd  usual = logarithms.col(likeliest);
     Width                 result;

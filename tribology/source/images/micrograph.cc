@@ -57,6 +57,28 @@ namespace squeal::tribology
 
 
 
+    /** A warning for stored @p values, of which 0 is white, that leave upper
+     * bits unused; "" where they do not. Of black as 0 an unknown range is a
+     * factor, which no depth of a crack depends on. Of white as 0 it is where
+     * black lies, which all of them depend on, and nothing in the values tells
+     * it. */
+    std::string
+    warning_of_unknown_black(const cv::Mat &values)
+    {
+      constexpr int camera = 14; // most bits of one that does not use them all
+      const int     bits   = used_bits(values, 8);
+      if (bits > camera)
+        return "";
+      const std::string n = std::to_string(bits);
+      return "white is stored as 0, and of its 16 bits the picture uses " + n +
+             ": black is taken as 65535, which leaves cracks little contrast; "
+             "if it comes from a camera of " +
+             n + " bits, subtract its values from " +
+             std::to_string((1 << bits) - 1) + " and store it with black as 0";
+    }
+
+
+
     cv::Mat
     scaled_grey(const cv::Mat &values, const double factor)
     {
@@ -197,6 +219,11 @@ namespace squeal::tribology
         m.notes.push_back("of its 16 bits the picture uses " +
                           std::to_string(m.bits) +
                           ": these are taken for black to white");
+      if (pixels.is_inverted)
+        if (const std::string warning =
+              warning_of_unknown_black(cv::Scalar(65535) - values(m.frame));
+            !warning.empty())
+          m.warnings.push_back(warning);
       if (m.orientation != 1)
         m.notes.push_back("a tag says that it is stored turned (orientation " +
                           std::to_string(m.orientation) +

@@ -161,7 +161,8 @@ namespace squeal::tribology
     if (image.depth() != CV_8U && image.depth() != CV_16U)
       throw InputError(path + ": only images of 8 and 16 bit are read");
     // The decoder inverts images of 8 bit, but none of 16.
-    if (tags.white_is_zero && image.depth() == CV_16U)
+    pixels.is_inverted = tags.white_is_zero && image.depth() == CV_16U;
+    if (pixels.is_inverted)
       pixels.values = cv::Scalar(65535) - pixels.values;
     pixels.orientation = tags.orientation;
     if (tags.transparent_grey)

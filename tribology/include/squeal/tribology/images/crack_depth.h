@@ -34,7 +34,10 @@ namespace squeal::tribology
    * that of the other cracks of the image, and where none is wide enough an
    * assumed one, which may not hold: the less of a crack is seen, the more its
    * error says so. The probability of each depth is the product of what the
-   * peak, the image and the assumption say of it.
+   * peak, the image and the assumption say of it. Of the blur cracks tell only
+   * which one no depth fits: as narrower shallower cracks fit a sharper image
+   * as well, how many depths do is no evidence, and of many cracks that are
+   * alike it would make one blur sure.
    */
   class CrackDepth
   {
@@ -57,9 +60,9 @@ namespace squeal::tribology
     Width width(const Dip &dip) const;
 
   private:
-    /** Logarithms of the probability of the peak of @p dip, but for a constant:
-     * depths in rows, blurs in columns. */
-    Eigen::ArrayXXd likelihood(const Dip &dip) const;
+    /** Of a crack with the missing light of @p dip: depths in rows, blurs in
+     * columns. */
+    Eigen::ArrayXXd peaks(const Dip &dip) const;
 
     double          blur;       // pixels, the likeliest
     double          blur_error; // of that, relative

@@ -22,7 +22,10 @@ namespace squeal::tribology
     cv::Mat opaque;
     /** Where that makes every pixel transparent. */
     bool is_transparent = false;
-    int  orientation    = 1; /**< tag 274 of TIFF and EXIF, 1 to 8 */
+    /** Where values of 16 bits have been taken from 65535, since white is
+     * stored as 0. */
+    bool is_inverted = false;
+    int  orientation = 1; /**< tag 274 of TIFF and EXIF, 1 to 8 */
   };
 
   /**
