@@ -19,15 +19,19 @@ namespace squeal
              BodyParameters::Shape::rigid;
     }
 
-    /** Shares that the faces @p targets are opposite to. */
+    /** Shares that the faces @p targets are opposite to. Of several behind
+     * one another springs take the nearest. */
     std::vector<SourceIntegrals>
     covered_shares(const Discretization          &d,
                    const FaceBasis               &basis,
                    const std::vector<SourceFace> &sources,
                    const std::vector<TargetFace> &targets)
     {
-      return integrals_of_all_faces(
+      auto shares = integrals_of_all_faces(
         basis, sources, targets, limits_of_meshes, d.space()->communicator());
+      for (SourceIntegrals &share : shares)
+        share.covered = std::min(share.covered, 1.);
+      return shares;
     }
 
     void
@@ -81,6 +85,8 @@ namespace squeal
       const FaceBasis    basis(d.degree());
       const auto         sources = all_faces(
         d, basis, face_id(d.coarse_mesh(), scene, spring.body, spring.face));
+      if (sources.empty())
+        return; // under a tie or a layer: refused where the bed is made
       const PointEvaluator evaluator(d);
       auto                 shares =
         covered_shares(d,
@@ -112,6 +118,7 @@ namespace squeal
     for (const auto &spring : scene.springs)
       if (spring.kind == SpringParameters::Kind::area &&
           spring.other_body != "ground" &&
+          !is_rigid_body(scene, spring.body) &&
           !is_rigid_body(scene, spring.other_body))
         check_bed(d, spring);
   }
