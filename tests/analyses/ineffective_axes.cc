@@ -177,18 +177,22 @@ namespace
       "face = bottom\n    set Grid = 2, 2\n    set Friction coefficient = "
       "0.3\n    set Contact state = stick\n" +
       slip + "  end\n";
-    const auto axis = [](const std::string &more, const std::string &by) {
+    const auto axis = [](const std::string &more,
+                         const std::string &from,
+                         const std::string &to) {
       return "  set Axes = turning\n  subsection Axis turning\n    set Entries "
              "= Scene/Body disc/Rotation speed, Scene/Contact pad_disc/Sliding "
              "speed" +
-             more + "\n    set From = 80, 8" + by + "\n    set To = 120, 12" +
-             by + "\n    set Number = 2\n  end\n";
+             more + "\n    set From = 80, 8" + from +
+             "\n    set To = 120, 12" + to + "\n    set Number = 2\n  end\n";
     };
-    const Outcome o = sweep_of(brake, scene, axis("", ""));
+    const Outcome o = sweep_of(brake, scene, axis("", "", ""));
     check(o.code == 0,
           "the turning is swept with the sliding pair: " + o.errors);
-    const Outcome both = sweep_of(
-      brake, scene, axis(", Scene/Contact low_disc/Sliding speed", ", 8"));
+    const Outcome both =
+      sweep_of(brake,
+               scene,
+               axis(", Scene/Contact low_disc/Sliding speed", ", 8", ", 12"));
     check(both.code != 0 &&
             unbroken(both.errors).find("the pair sticks") != std::string::npos,
           "the speed of the sticking pair is refused for that: " + both.errors);
