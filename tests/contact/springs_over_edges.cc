@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Springs at the quadrature points of a face and elastic beds stand for the
-// area round every point: a face that hangs over the edge of its target, or
-// over a gap in it, by more than 2 % of a cell is refused even where all of its
-// points have a target, and one that does not goes on.
+// area round every point: a face that hangs over the edge of its target by more
+// than 2 % of a cell is refused even where all of its points have a target, and
+// one that does not goes on.
 
 #include <squeal/base/exceptions.h>
 #include <squeal/contact/contact_faces.h>
