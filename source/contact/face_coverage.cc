@@ -117,8 +117,7 @@ namespace squeal
         check_spring_contact(d, contact);
     for (const auto &spring : scene.springs)
       if (spring.kind == SpringParameters::Kind::area &&
-          spring.other_body != "ground" &&
-          !is_rigid_body(scene, spring.body) &&
+          spring.other_body != "ground" && !is_rigid_body(scene, spring.body) &&
           !is_rigid_body(scene, spring.other_body))
         check_bed(d, spring);
   }

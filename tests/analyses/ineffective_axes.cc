@@ -183,8 +183,8 @@ namespace
       return "  set Axes = turning\n  subsection Axis turning\n    set Entries "
              "= Scene/Body disc/Rotation speed, Scene/Contact pad_disc/Sliding "
              "speed" +
-             more + "\n    set From = 80, 8" + from +
-             "\n    set To = 120, 12" + to + "\n    set Number = 2\n  end\n";
+             more + "\n    set From = 80, 8" + from + "\n    set To = 120, 12" +
+             to + "\n    set Number = 2\n  end\n";
     };
     const Outcome o = sweep_of(brake, scene, axis("", "", ""));
     check(o.code == 0,
