@@ -155,6 +155,7 @@ set(SQUEAL_SOURCES_CONTACT
     source/contact/contact_resultant.cc
     source/contact/contact_terms.cc
     source/contact/elimination.cc
+    source/contact/face_coverage.cc
     source/contact/face_edges.cc
     source/contact/face_overlap.cc
     source/contact/friction_law.cc

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/contact/contact_faces.h>
+#include <squeal/contact/face_coverage.h>
 #include <squeal/contact/turning_sense.h>
 #include <squeal/discretization/face_quadrature.h>
 
@@ -29,5 +30,6 @@ namespace squeal
           contact_frames(d, contact, face.points, face.normals);
         require_sliding_as_turning(scene, contact, face.points, all.frames);
       }
+    check_faces_covered(d);
   }
 } // namespace squeal

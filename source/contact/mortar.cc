@@ -7,8 +7,6 @@
 
 #include <deal.II/distributed/tria.h>
 
-#include <deal.II/numerics/rtree.h>
-
 #include <algorithm>
 #include <map>
 
@@ -17,73 +15,6 @@ namespace squeal
   namespace
   {
     constexpr unsigned int ground = -1u;
-
-    dealii::BoundingBox<3>
-    box_round(const std::vector<SourceFace> &sources)
-    {
-      dealii::BoundingBox<3> box = bounding_box(sources.front().geometry);
-      for (const auto &source : sources)
-        box.merge_with(bounding_box(source.geometry));
-      return box;
-    }
-
-    /** Adds up masses and covered shares of all ranks. */
-    void
-    sum_over_ranks(std::vector<SourceIntegrals> &faces, const MPI_Comm comm)
-    {
-      std::vector<double> packed;
-      for (const auto &face : faces)
-        {
-          packed.insert(packed.end(),
-                        face.mass.data(),
-                        face.mass.data() + face.mass.size());
-          packed.push_back(face.covered);
-        }
-      MPI_Allreduce(MPI_IN_PLACE,
-                    packed.data(),
-                    static_cast<int>(packed.size()),
-                    MPI_DOUBLE,
-                    MPI_SUM,
-                    comm);
-      const double *p = packed.data();
-      for (auto &face : faces)
-        {
-          std::copy(p, p + face.mass.size(), face.mass.data());
-          p += face.mass.size();
-          face.covered = *p++;
-        }
-    }
-
-    /** Every source face with the target faces of this rank, segment by
-     * segment; masses over all ranks. */
-    std::vector<SourceIntegrals>
-    integrals_of_all_faces(const FaceBasis               &basis,
-                           const std::vector<SourceFace> &sources,
-                           const std::vector<TargetFace> &targets,
-                           const MeetingLimits           &limits,
-                           const MPI_Comm                 comm)
-    {
-      std::vector<dealii::BoundingBox<3>> boxes;
-      for (const auto &target : targets)
-        boxes.push_back(bounding_box(target.geometry));
-      const auto tree = dealii::pack_rtree_of_indices(boxes);
-
-      std::vector<SourceIntegrals> result;
-      for (const auto &source : sources)
-        {
-          std::vector<std::size_t> near;
-          tree.query(
-            boost::geometry::index::intersects(bounding_box(source.geometry)),
-            std::back_inserter(near));
-          std::sort(near.begin(), near.end());
-          result.push_back(integrals_of_segments(
-            basis, source.geometry, targets, near, limits));
-        }
-      sum_over_ranks(result, comm);
-      return result;
-    }
-
-
 
     std::vector<dealii::Tensor<1, 3>>
     nodal_normals(const FaceBasis                              &basis,
@@ -128,9 +59,6 @@ namespace squeal
                   sums[nodes[a]][c][row] += M(a, b) * weight;
         }
     }
-
-    /** What two meshes of a tied surface may differ by. */
-    constexpr MeetingLimits limits_of_ties{.05, .02};
 
     /** Of the target nodes that the source faces round a source node meet:
      * their weights, moments of their places with these weights, and the place
@@ -348,7 +276,7 @@ namespace squeal
                   const std::string    &where,
                   const bool            carries)
     {
-      const MeetingLimits limits = carries ? limits_of_ties : MeetingLimits();
+      const MeetingLimits limits = carries ? limits_of_meshes : MeetingLimits();
       const MPI_Comm      comm   = d.space()->communicator();
       const FaceBasis     basis(d.degree());
       const auto sources = source_faces(d, basis, source_face_id, where);
@@ -357,7 +285,7 @@ namespace squeal
         d.scene().bodies[target_body].shape != BodyParameters::Shape::rigid;
       std::vector<TargetFace> targets;
       if (is_meshed && !sources.empty())
-        targets = target_faces(d, basis, target_body, box_round(sources));
+        targets = target_faces(d, basis, target_body, bounding_box(sources));
       const auto integrals =
         is_meshed
           ? integrals_of_all_faces(basis, sources, targets, limits, comm)

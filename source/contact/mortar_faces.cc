@@ -12,6 +12,7 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -192,10 +193,9 @@ namespace squeal
 
 
   std::vector<SourceFace>
-  source_faces(const Discretization &d,
-               const FaceBasis      &basis,
-               const unsigned int    id,
-               const std::string    &where)
+  all_faces(const Discretization &d,
+            const FaceBasis      &basis,
+            const unsigned int    id)
   {
     // Packed as numbers: key, position and rows of every node.
     std::vector<double> mine;
@@ -234,15 +234,27 @@ namespace squeal
               {
                 points.back()[c] = all[p++];
                 rows.back()[c]   = static_cast<unsigned int>(all[p++]);
-                // Here, where all ranks know it.
-                if (rows.back()[c] == hanging)
-                  throw InputError(where +
-                                   ": the source face carries hanging nodes; "
-                                   "refine the target body only");
               }
           }
         faces.push_back({SurfaceFace(basis, points), keys, rows});
       }
+    return faces;
+  }
+
+
+
+  std::vector<SourceFace>
+  source_faces(const Discretization &d,
+               const FaceBasis      &basis,
+               const unsigned int    id,
+               const std::string    &where)
+  {
+    std::vector<SourceFace> faces = all_faces(d, basis, id);
+    for (const SourceFace &face : faces)
+      for (const auto &rows : face.rows)
+        if (std::count(rows.begin(), rows.end(), hanging) > 0)
+          throw InputError(where + ": the source face carries hanging nodes; "
+                                   "refine the target body only");
     return faces;
   }
 
@@ -282,6 +294,17 @@ namespace squeal
   {
     dealii::BoundingBox<3> box(face.nodes());
     box.extend(.1 * face.diameter());
+    return box;
+  }
+
+
+
+  dealii::BoundingBox<3>
+  bounding_box(const std::vector<SourceFace> &faces)
+  {
+    dealii::BoundingBox<3> box = bounding_box(faces.front().geometry);
+    for (const auto &face : faces)
+      box.merge_with(bounding_box(face.geometry));
     return box;
   }
 } // namespace squeal

@@ -3,6 +3,9 @@
 #include <squeal/contact/face_overlap.h>
 #include <squeal/contact/mortar_integrals.h>
 
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
@@ -25,6 +28,33 @@ namespace squeal
                   basis.evaluate(point.source).value *
                   basis.evaluate(point.*side).value.transpose();
       return result;
+    }
+
+    /** Adds up masses and covered shares of all ranks. */
+    void
+    sum_over_ranks(std::vector<SourceIntegrals> &faces, const MPI_Comm comm)
+    {
+      std::vector<double> packed;
+      for (const auto &face : faces)
+        {
+          packed.insert(packed.end(),
+                        face.mass.data(),
+                        face.mass.data() + face.mass.size());
+          packed.push_back(face.covered);
+        }
+      MPI_Allreduce(MPI_IN_PLACE,
+                    packed.data(),
+                    static_cast<int>(packed.size()),
+                    MPI_DOUBLE,
+                    MPI_SUM,
+                    comm);
+      const double *p = packed.data();
+      for (auto &face : faces)
+        {
+          std::copy(p, p + face.mass.size(), face.mass.data());
+          p += face.mass.size();
+          face.covered = *p++;
+        }
     }
   } // namespace
 
@@ -53,6 +83,33 @@ namespace squeal
            products(basis, source, points, &OverlapPoint::target)});
       }
     return sum;
+  }
+
+  std::vector<SourceIntegrals>
+  integrals_of_all_faces(const FaceBasis               &basis,
+                         const std::vector<SourceFace> &sources,
+                         const std::vector<TargetFace> &targets,
+                         const MeetingLimits           &limits,
+                         const MPI_Comm                 comm)
+  {
+    std::vector<dealii::BoundingBox<3>> boxes;
+    for (const auto &target : targets)
+      boxes.push_back(bounding_box(target.geometry));
+    const auto tree = dealii::pack_rtree_of_indices(boxes);
+
+    std::vector<SourceIntegrals> result;
+    for (const auto &source : sources)
+      {
+        std::vector<std::size_t> near;
+        tree.query(
+          boost::geometry::index::intersects(bounding_box(source.geometry)),
+          std::back_inserter(near));
+        std::sort(near.begin(), near.end());
+        result.push_back(
+          integrals_of_segments(basis, source.geometry, targets, near, limits));
+      }
+    sum_over_ranks(result, comm);
+    return result;
   }
 
   std::vector<SourceIntegrals>

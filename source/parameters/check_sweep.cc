@@ -239,8 +239,9 @@ namespace squeal
           }
       }
 
-      /** The same for all pairs with such terms whose bodies turn. A pair gets
-       * none by the sweep: its speed is looked at in the scene as it stands. */
+      /** The same for all pairs with such terms whose bodies turn: pairs that
+       * slide. A pair gets none by the sweep: its speed is looked at in the
+       * scene as it stands. */
       void
       require_sliding_with_turning(const Parameters          &p,
                                    const SweepAxisParameters &a,
@@ -252,7 +253,8 @@ namespace squeal
               const BodyParameters &carrier = turning_body(p.scene, body);
               const std::string     contact = "Scene/Contact " + c.name;
               const std::string     slope   = contact + "/Friction slope";
-              if ((body.name != c.source_body && body.name != c.target_body) ||
+              if (c.state == ContactParameters::State::stick ||
+                  (body.name != c.source_body && body.name != c.target_body) ||
                   carrier.rotation_speed == 0.)
                 continue;
               if (c.transverse_slip_term || c.friction_slope != 0. ||

@@ -65,10 +65,13 @@ namespace squeal
           .add("Tangential stiffness",
                c.tangential_stiffness,
                Allowed::number(),
-               "Tangential stiffness of each point pair that sticks; "
-               "negative: equal to the normal stiffness.",
+               "Tangential stiffness of what sticks: of each point pair with "
+               "'Spring layout = grid', per area of the face with "
+               "'quadrature', as the normal stiffness of that layout; "
+               "negative: equal to it.",
                "N/m")
-          .affine();
+          .affine()
+          .per_area("N/m^3");
         schema
           .add("Normal stiffness per area",
                c.normal_stiffness_per_area,

@@ -57,7 +57,10 @@ namespace squeal
       {
         schema.enter_section("Frequency response",
                              "Responses of 'Analysis = frequency response' "
-                             "over the band of section Eigenvalues.");
+                             "over the band of section Eigenvalues. Wherever "
+                             "that begins, the scene must be held: modes from "
+                             "0 Hz on are superposed, and a free motion has no "
+                             "bounded response there.");
         schema.add("Quantity",
                    f.quantity,
                    "Displacement, velocity or acceleration over force.");

@@ -108,7 +108,7 @@ namespace squeal
                "Stiffness of each point spring, or of the bed per area.",
                "N/m")
           .affine()
-          .of_bed("N/m^3");
+          .per_area("N/m^3");
         schema
           .add("Dashpot",
                s.dashpot,
@@ -117,7 +117,7 @@ namespace squeal
                "the bed per area.",
                "N s/m")
           .affine()
-          .of_bed("N s/m^3");
+          .per_area("N s/m^3");
         schema
           .add("Stiffnesses",
                s.stiffnesses,
@@ -126,7 +126,7 @@ namespace squeal
                "per area, beside 'Stiffness' along 'Direction'.",
                "N/m")
           .affine()
-          .of_bed("N/m^3");
+          .per_area("N/m^3");
         schema
           .add("Dashpots",
                s.dashpots,
@@ -135,7 +135,7 @@ namespace squeal
                "bed per area.",
                "N s/m")
           .affine()
-          .of_bed("N s/m^3");
+          .per_area("N s/m^3");
         schema
           .add("Stiffness damping",
                s.stiffness_damping,

@@ -21,9 +21,15 @@ namespace squeal
         prm::generic_path(prm::normal_path(path.substr(0, path.find('[')))));
     }
 
+    /** Whether the entry is one of an elastic bed, or of contact springs at
+     * quadrature points. */
     bool
-    is_of_bed(const std::string &path, const SceneParameters &scene)
+    is_given_per_area(const std::string &path, const SceneParameters &scene)
     {
+      for (const auto &contact : scene.contacts)
+        if (contact.layout == ContactParameters::SpringLayout::quadrature &&
+            prm::section_of(path) == "Scene/Contact " + contact.name)
+          return true;
       for (const auto &spring : scene.springs)
         if (spring.kind == SpringParameters::Kind::area &&
             prm::section_of(path) == "Scene/Spring " + spring.name)
@@ -110,9 +116,9 @@ namespace squeal
     const prm::Schema::Entry *entry = declaration(path);
     if (!entry || entry->units == "none")
       return "";
-    return !entry->units_of_bed.empty() &&
-               is_of_bed(prm::normal_path(path), scene)
-             ? entry->units_of_bed
+    return !entry->units_per_area.empty() &&
+               is_given_per_area(prm::normal_path(path), scene)
+             ? entry->units_per_area
              : entry->units;
   }
 

@@ -82,7 +82,8 @@ namespace squeal
     std::string
     Schema::Entry::units_text() const
     {
-      return units_of_bed.empty() ? units : units + ", bed " + units_of_bed;
+      return units_per_area.empty() ? units
+                                    : units + ", per area " + units_per_area;
     }
 
     std::string

@@ -23,7 +23,13 @@ namespace squeal
     std::vector<std::array<unsigned int, 3>> rows;
   };
 
-  /** All faces of one boundary id. Throws InputError (its text begins with
+  /** All faces of one boundary id. Nodes that hang are where the mapping has
+   * them, and have no row to write to. */
+  std::vector<SourceFace> all_faces(const Discretization &discretization,
+                                    const FaceBasis      &basis,
+                                    const unsigned int    face_id);
+
+  /** The same to carry multipliers. Throws InputError (its text begins with
    * @p where) where they carry hanging nodes. */
   std::vector<SourceFace> source_faces(const Discretization &discretization,
                                        const FaceBasis      &basis,
@@ -49,6 +55,9 @@ namespace squeal
 
   /** A box round a face, with room for what its nodes do not show. */
   dealii::BoundingBox<3> bounding_box(const SurfaceFace &face);
+
+  /** One round all of them, of which there must be some. */
+  dealii::BoundingBox<3> bounding_box(const std::vector<SourceFace> &faces);
 } // namespace squeal
 
 #endif

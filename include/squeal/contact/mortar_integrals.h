@@ -33,6 +33,10 @@ namespace squeal
     double reach = 0., beside = 1e-4;
   };
 
+  /** What two meshes of one surface may differ by where nothing but values at
+   * points crosses, or where the place that is met is put right. */
+  constexpr MeetingLimits limits_of_meshes{.05, .02};
+
   /** A source face with the target faces of the numbers @p near, segment by
    * segment. */
   SourceIntegrals integrals_of_segments(const FaceBasis                &basis,
@@ -40,6 +44,15 @@ namespace squeal
                                         const std::vector<TargetFace>  &targets,
                                         const std::vector<std::size_t> &near,
                                         const MeetingLimits &limits = {});
+
+  /** Every source face with the target faces of this rank, segment by segment;
+   * masses and covered shares over all ranks. */
+  std::vector<SourceIntegrals> integrals_of_all_faces(
+    const FaceBasis               &basis,
+    const std::vector<SourceFace> &sources,
+    const std::vector<TargetFace> &targets,
+    const MeetingLimits           &limits,
+    const MPI_Comm                 communicator);
 
   /** The masses alone. */
   std::vector<SourceIntegrals> integrals_of_whole_faces(

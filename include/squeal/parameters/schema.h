@@ -53,8 +53,9 @@ namespace squeal
         /** How finely a run computes, not what: campaigns make ladders of it.
          */
         bool is_resolution = false;
-        /** Where it is given per area of an elastic bed; empty: no bed. */
-        std::string units_of_bed = {};
+        /** Where it is given per area, of an elastic bed or of contact springs
+         * of the layout 'quadrature'; empty: nowhere. */
+        std::string units_per_area = {};
 
         /** @name Traits, behind add() and declare() */
         //@{
@@ -77,15 +78,15 @@ namespace squeal
           return *this;
         }
         Entry &
-        of_bed(const std::string &its_units)
+        per_area(const std::string &its_units)
         {
-          units_of_bed = its_units;
+          units_per_area = its_units;
           return *this;
         }
         //@}
 
         std::string path() const;
-        /** "N/m, bed N/m^3" */
+        /** "N/m, per area N/m^3" */
         std::string units_text() const;
       };
 

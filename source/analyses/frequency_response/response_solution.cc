@@ -202,8 +202,12 @@ namespace squeal
     ModeSolution modes =
       solve_modes_adaptively(model, context.log, context.timers);
     if (const std::string free = free_motions(model, modes); !free.empty())
-      throw InputError(free + ": a response at 0 Hz needs them held, by "
-                              "Scene/Supports or Scene/Springs");
+      throw InputError(free +
+                       ": responses are superposed of modes from 0 Hz on, "
+                       "wherever the band begins, and there free motions have "
+                       "no bounded one: hold them by Scene/Supports, or by "
+                       "Scene/Springs so soft that the band does not feel "
+                       "them");
     const CeaSolution solution =
       solve_cea(model, modes, context.log, context.timers);
     warn_of_growth_left_out(

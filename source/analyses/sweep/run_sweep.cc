@@ -319,14 +319,13 @@ namespace squeal
     Block                         vectors;
     if (p.output.plots)
       report.section("Charts");
-    for (const SweepScene &scene : scenes)
+    for (std::size_t k = 0; k < scenes.size(); ++k)
       {
+        const SweepScene &scene = scenes[k];
         if (scenes.size() > 1)
           context.log.heading(scene.title());
-        SweepModel model(context,
-                         scene.parameters,
-                         scene.name,
-                         scenes.size() > 1 ? &vectors : nullptr);
+        SweepModel model(
+          context, scenes, k, scenes.size() > 1 ? &vectors : nullptr);
         check_column_names(model, scene);
         const SweepSolution solution = solve_sweep(model, context);
         warn_of_doubts(model, solution, context);

@@ -2,9 +2,11 @@
 #include <squeal/analyses/sweep/sweep_axis_check.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/unknown_choice.h>
+#include <squeal/contact/contact_terms.h>
 #include <squeal/parameters/text.h>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 namespace squeal
@@ -129,6 +131,19 @@ namespace squeal
       return "nothing that it damps has stiffness or mass here";
     }
 
+    /** Whether the pair that an entry belongs to sticks all over. */
+    bool
+    belongs_to_sticking_pair(const SceneParameters &scene,
+                             const std::string     &entry)
+    {
+      return std::any_of(
+        scene.contacts.begin(), scene.contacts.end(), [&](const auto &contact) {
+          return contact.state != ContactParameters::State::preload &&
+                 status_of_face(contact) == ContactStatus::stick &&
+                 prm::section_of(entry) == "Scene/Contact " + contact.name;
+        });
+    }
+
     /** What is likely behind an entry that changes nothing. */
     std::string
     reason_of(const SceneParameters &scene, const std::string &entry)
@@ -141,29 +156,66 @@ namespace squeal
         return "it belongs to springs of the layout 'quadrature'";
       if (ends_with(entry, "/Normal stiffness"))
         return "it belongs to springs of the layout 'grid'";
+      if (belongs_to_sticking_pair(scene, entry))
+        return "the pair sticks, by its 'Contact state' or at rest: it has no "
+               "sliding friction; take the entry off the axis";
       if (ends_with(entry, "/Sliding speed"))
         return "friction does not depend on speed here: its law is constant "
-               "and 'Transverse slip term' is off, or 'Normal force' is 0";
+               "and 'Transverse slip term' is off, or 'Normal force' or the "
+               "friction coefficient is 0";
       if (ends_with(entry, "/Friction slope") ||
           ends_with(entry, "/Normal force"))
-        return "a slope of friction and the transverse slip term act by "
-               "'Normal force', and one factor is 0 or the term is off";
+        return "a slope of friction and the transverse slip term, which goes "
+               "with the friction coefficient, act by 'Normal force', and one "
+               "factor is 0 or the term is off";
       if (ends_with(entry, "/Friction coefficient"))
         return "no node of the contact slides, or its friction comes by "
                "another entry";
       return "nothing of the scene depends on it as it stands";
     }
 
+    bool
+    have_same_statuses(const SweepGrid &a, const SweepGrid &b)
+    {
+      const SceneParameters mine   = a.scene(a.spread(1).back()),
+                            others = b.scene(b.spread(1).back());
+      for (std::size_t i = 0; i < mine.contacts.size(); ++i)
+        if (status_of_face(mine.contacts[i]) !=
+            status_of_face(others.contacts[i]))
+          return false;
+      return true;
+    }
+
+    /** Whether @p test holds with the numbers of any scene of the sweep, the
+     * one of @p grid first: a factor that is 0 in one of them (the friction
+     * coefficient) need not be 0 in all. Where faces that slide here stick
+     * there, the terms of this scene tell nothing of that one. */
+    bool
+    holds_in_any(const SweepGrid                              &grid,
+                 const std::vector<SweepScene>                &scenes,
+                 const std::function<bool(const SweepGrid &)> &test)
+    {
+      return test(grid) ||
+             std::any_of(
+               scenes.begin(), scenes.end(), [&](const SweepScene &scene) {
+                 const SweepGrid other(scene.parameters);
+                 return !have_same_statuses(grid, other) || test(other);
+               });
+    }
+
     /** Refuses an entry that moves along with others, which do act. */
     void
-    check_entries_of_axis(const SweepGrid    &grid,
-                          const AffineSystem &system,
-                          const unsigned int  a,
-                          const unsigned int  first)
+    check_entries_of_axis(const SweepGrid               &grid,
+                          const AffineSystem            &system,
+                          const std::vector<SweepScene> &scenes,
+                          const unsigned int             a,
+                          const unsigned int             first)
     {
       const SweepAxisParameters &axis = grid.axis(a);
       for (std::size_t i = 0; i < axis.entries.size(); ++i)
-        if (!acts_by_itself(grid, system, first + i))
+        if (!holds_in_any(grid, scenes, [&](const SweepGrid &g) {
+              return acts_by_itself(g, system, first + i);
+            }))
           throw InputError(
             "Sweep/Axis " + axis.name + ": '" + axis.entries[i] +
             "' moves along with other entries, but neither mass nor damping "
@@ -175,18 +227,22 @@ namespace squeal
 
 
   void
-  check_axes_of_sweep(const SweepGrid &grid, const AffineSystem &system)
+  check_axes_of_sweep(const SweepGrid               &grid,
+                      const AffineSystem            &system,
+                      const std::vector<SweepScene> &scenes)
   {
     const SceneParameters scene = grid.scene(grid.spread(1).back());
     unsigned int          first = 0; // entry of the axis, of all
     for (unsigned int a = 0; a < grid.n_axes(); ++a)
       {
         const SweepAxisParameters &axis = grid.axis(a);
-        if (acts(grid, system, a))
+        if (holds_in_any(grid, scenes, [&](const SweepGrid &g) {
+              return acts(g, system, a);
+            }))
           {
             if (axis.entries.size() > 1 && grid.coordinates(a).size() > 1 &&
                 !has_preload(scene))
-              check_entries_of_axis(grid, system, a, first);
+              check_entries_of_axis(grid, system, scenes, a, first);
             first += axis.entries.size();
             continue;
           }
@@ -200,7 +256,9 @@ namespace squeal
         throw InputError(text.str());
       }
     for (unsigned int e = 0; e < grid.other_entries().size(); ++e)
-      if (!acts_by_itself(grid, system, first + e))
+      if (!holds_in_any(grid, scenes, [&](const SweepGrid &g) {
+            return acts_by_itself(g, system, first + e);
+          }))
         throw InputError(
           "Sweep: '" + grid.other_entries()[e] +
           "' is to be varied beside the axes, but neither mass nor damping nor "

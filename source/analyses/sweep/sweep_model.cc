@@ -31,21 +31,21 @@ namespace squeal
 
 
 
-  SweepModel::SweepModel(RunContext        &context,
-                         const Parameters  &p,
-                         const std::string &name,
-                         Block             *vectors)
-    : parameters(p)
-    , sweep_grid(p)
-    , contact_states(contact_states_of(p, sweep_grid, context))
-    , full(p, context.timers, contact_states)
+  SweepModel::SweepModel(RunContext                    &context,
+                         const std::vector<SweepScene> &scenes,
+                         const std::size_t              i,
+                         Block                         *vectors)
+    : parameters(scenes[i].parameters)
+    , sweep_grid(parameters)
+    , contact_states(contact_states_of(parameters, sweep_grid, context))
+    , full(parameters, context.timers, contact_states)
     , parts(full.linearized().system, sweep_grid)
-    , file(basis_file(context, name))
+    , file(basis_file(context, scenes[i].name))
   {
     for (const auto &term : parts.merged().terms)
       symmetric.push_back(term.matrix->is_symmetric());
     full.print_summary(context.log);
-    check_axes_of_sweep(sweep_grid, full.linearized().system);
+    check_axes_of_sweep(sweep_grid, full.linearized().system, scenes);
     if (!read(context))
       build(context, vectors);
   }

@@ -17,6 +17,14 @@ namespace squeal
       return std::all_of(
         axis.entries.begin(), axis.entries.end(), &is_affine_entry);
     }
+
+    /** The first entry that factors of fixed matrices can not follow. */
+    std::string
+    rebuilding_entry(const SweepAxisParameters &axis)
+    {
+      return *std::find_if_not(
+        axis.entries.begin(), axis.entries.end(), &is_affine_entry);
+    }
   } // namespace
 
 
@@ -52,8 +60,11 @@ namespace squeal
     if (outer.sweep.axes.empty())
       return {{p, {}, {}, ""}};
     if (inner.sweep.axes.empty())
-      throw InputError("'Sweep/Axes' change the mesh only: add an axis of a "
-                       "stiffness, a density, the friction or the like");
+      throw InputError(
+        "'Sweep/Axes': every axis has an entry that needs new matrices ('" +
+        rebuilding_entry(outer.sweep.axes[0]) +
+        "'), and none is left to be swept in each scene: add an axis of "
+        "stiffnesses, densities, friction or the like alone");
     const SweepGrid                grid(outer);
     const std::vector<std::string> entries = grid.entries();
     std::vector<SweepScene>        scenes;

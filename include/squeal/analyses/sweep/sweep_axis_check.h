@@ -2,6 +2,7 @@
 #ifndef squeal_analyses_sweep_sweep_axis_check_h
 #define squeal_analyses_sweep_sweep_axis_check_h
 
+#include <squeal/analyses/sweep/sweep_scenes.h>
 #include <squeal/sweep/parametric_system.h>
 
 namespace squeal
@@ -13,10 +14,13 @@ namespace squeal
    * of several entries of an axis is looked at by itself, too, but where the
    * contact is that of steady sliding, by which alone it may act.
    *
-   * @p system has the terms of the scene, not merged. Throws InputError naming
+   * @p system has the terms of the scene, not merged. Of a sweep of several
+   * scenes it is enough to act in one of @p scenes. Throws InputError naming
    * the first one and what is likely behind it.
    */
-  void check_axes_of_sweep(const SweepGrid &grid, const AffineSystem &system);
+  void check_axes_of_sweep(const SweepGrid               &grid,
+                           const AffineSystem            &system,
+                           const std::vector<SweepScene> &scenes);
 } // namespace squeal
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef squeal_analyses_sweep_sweep_model_h
 #define squeal_analyses_sweep_sweep_model_h
 
+#include <squeal/analyses/sweep/sweep_scenes.h>
 #include <squeal/model/mode_solution.h>
 #include <squeal/run/fingerprint.h>
 #include <squeal/run/run_context.h>
@@ -23,14 +24,14 @@ namespace squeal
   class SweepModel
   {
   public:
-    /** Assembles the scene of @p parameters, which must outlive the model, and
-     * builds or reads the basis. @p name is appended to the name of its file.
-     * If given, @p vectors are what a basis that is built starts with, see
-     * BasisBuilder, and become its common basis. */
-    SweepModel(RunContext        &context,
-               const Parameters  &parameters,
-               const std::string &name    = "",
-               Block             *vectors = nullptr);
+    /** Assembles number @p i of the scenes of a sweep, which must outlive the
+     * model, and builds or reads the basis. If given, @p vectors are what a
+     * basis that is built starts with, see BasisBuilder, and become its common
+     * basis. */
+    SweepModel(RunContext                    &context,
+               const std::vector<SweepScene> &scenes,
+               const std::size_t              i,
+               Block                         *vectors = nullptr);
 
     const Model            &model() const;
     const Parameters       &run_parameters() const;
