@@ -99,16 +99,16 @@ main(int argc, char **argv)
                                 {"frequency_hz", "sigma_per_s"}));
     }
   for (const std::string integrator : {"implicit", "explicit"})
-    refused_before_any_work(argv[1],
-                            argv[2],
-                            "Transient/Integrator",
-                            {"Analysis = transient",
-                             "Transient/Integrator = " + integrator});
-  refused_before_any_work(argv[1],
-                          argv[2],
-                          "Output/Export matrices",
-                          {"Analysis = preload",
-                           "Output/Export matrices = true"});
+    refused_before_any_work(
+      argv[1],
+      argv[2],
+      "Transient/Integrator",
+      {"Analysis = transient", "Transient/Integrator = " + integrator});
+  refused_before_any_work(
+    argv[1],
+    argv[2],
+    "Output/Export matrices",
+    {"Analysis = preload", "Output/Export matrices = true"});
   const auto &one = results[0], &two = results[1];
   check(one.size() == two.size() && one.size() >= 4,
         "pairs: " + std::to_string(one.size()));
