@@ -94,26 +94,29 @@ namespace
             std::to_string(mixed.rate_ci));
   }
 
-  /** The trace of another motion of twice the frequency: within a period its
-   * slope looks like a rate with a narrow interval; over some it does not. */
+  /** The trace of another motion of one and a half times the frequency: within
+   * a period its slope looks like a rate with a narrow interval; over some it
+   * does not. */
   void
   rates_of_few_periods()
   {
-    const Complex lambda(387., 2. * M_PI * 1429.), trace(0., lambda.imag());
+    const Complex lambda(387., 2. * M_PI * 1429.),
+      trace(0., .5 * lambda.imag());
     std::vector<double>  times;
     std::vector<Complex> a;
     for (unsigned int i = 0; i < 5000; ++i)
       {
         const double t = 2e-6 * i;
         times.push_back(t);
-        a.push_back(std::exp(lambda * t) * (1. + .1 * std::exp(trace * t)));
+        a.push_back(std::exp(lambda * t) *
+                    (1. + .1 * std::exp(trace * t + Complex(0., 3.51))));
       }
     const auto over = [&](const double periods) {
       const auto n =
         static_cast<std::size_t>(periods * 2. * M_PI / lambda.imag() / 2e-6);
       return fit_growth(times, a, 0, n);
     };
-    const GrowthFit part = over(.35);
+    const GrowthFit part = over(.6);
     check(std::abs(part.rate - 387.) > part.rate_ci &&
             part.rate_ci < .5 * std::abs(part.rate),
           "a part of a beat looks like a rate: " + std::to_string(part.rate) +
