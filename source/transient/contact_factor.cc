@@ -33,7 +33,11 @@ namespace squeal
     // Its estimate of the condition is of the norm of columns, which may be
     // that much larger.
     const double norm = flexibility.cwiseAbs().colwise().sum().maxCoeff();
-    if (factor->rcond() * norm > 10. * flexibility.rows() * rounding)
+    // Beside a pivot of zero that estimate is no number, or any.
+    const bool has_pivots =
+      (factor->matrixLU().diagonal().array().abs() > rounding).all();
+    if (has_pivots &&
+        factor->rcond() * norm > 10. * flexibility.rows() * rounding)
       return;
     const Eigen::BDCSVD<Eigen::MatrixXd> parts(
       flexibility, Eigen::ComputeFullU | Eigen::ComputeFullV);

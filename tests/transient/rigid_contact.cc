@@ -48,8 +48,8 @@ namespace
     std::minstd_rand                 generator(11);
     std::normal_distribution<double> random;
     const double                     size =
-      1e-16 *
-      (m.participation.cwiseAbs2() * m.omega_squared.cwiseInverse()).maxCoeff();
+      1e-16 * largest_abs(Eigen::MatrixXd(m.participation.cwiseAbs2() *
+                                          m.omega_squared.cwiseInverse()));
     const Eigen::MatrixXd R =
       Eigen::MatrixXd::NullaryExpr(3 * n_nodes, 3 * n_nodes, [&](int, int) {
         return size * random(generator);
@@ -91,7 +91,7 @@ namespace
   double
   fastest(const LinearizedMotion &linear)
   {
-    return linear.lambda.real().maxCoeff();
+    return largest(linear.lambda.real());
   }
 
   /** Little enough for motions of the band, m/N; more where a dashpot acts, as
