@@ -54,6 +54,7 @@ set(SQUEAL_SOURCES_PARAMETERS
     source/parameters/check_matrices.cc
     source/parameters/check_means.cc
     source/parameters/check_parameters.cc
+    source/parameters/check_ranks.cc
     source/parameters/check_response.cc
     source/parameters/check_scatter.cc
     source/parameters/check_scene.cc
@@ -226,6 +227,7 @@ set(SQUEAL_SOURCES_SWEEP
 set(SQUEAL_SOURCES_TRANSIENT
     source/transient/common_period.cc
     source/transient/contact_compliance.cc
+    source/transient/contact_factor.cc
     source/transient/contact_solver.cc
     source/transient/contact_solver_inverse.cc
     source/transient/contact_solver_memory.cc

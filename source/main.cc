@@ -4,6 +4,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/memory.h>
 #include <squeal/base/standard_streams.h>
+#include <squeal/parameters/check_ranks.h>
 #include <squeal/results/compare.h>
 #include <squeal/run/command_line.h>
 #include <squeal/scene/check_meshes.h>
@@ -40,6 +41,8 @@ namespace
     take_mesh_materials(parameters);
     parameters.check();
     take_modulus_tables(parameters);
+    check_ranks(parameters,
+                dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
     RunContext context(parameters, is_root, {line.overrides, line.is_quiet});
     run_analysis(context);
   }

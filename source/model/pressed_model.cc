@@ -312,6 +312,26 @@ namespace squeal
 
 
   Eigen::MatrixXd
+  PressedModel::flexibility_of(const std::vector<ModalForce> &further) const
+  {
+    const RowSpace &space = *pencil->space();
+    Eigen::MatrixXd result(1 + further.size(), 1 + further.size());
+    result(0, 0) = reduced.load_flexibility;
+    for (std::size_t i = 0; i < further.size(); ++i)
+      {
+        const Block response = further[i].response;
+        result(0, 1 + i)     = result(1 + i, 0) =
+          inner_products(space, load, response).sum();
+        for (std::size_t j = 0; j < further.size(); ++j)
+          result(1 + j, 1 + i) =
+            inner_products(space, Block(further[j].nodal), response).sum();
+      }
+    return result;
+  }
+
+
+
+  Eigen::MatrixXd
   PressedModel::coordinates_of(const PressedModel &other) const
   {
     if (basis->shapes.rows() != other.basis->shapes.rows() ||
@@ -376,9 +396,11 @@ namespace squeal
     steady.coordinates =
       (model.load - model.participation.transpose() * steady.forces)
         .cwiseQuotient(model.omega_squared);
+    model.support_motion = -model.load_motion;
     model.load_motion =
       steady.motion - (model.participation * steady.coordinates -
                        model.flexibility * steady.forces);
+    model.support_motion += model.load_motion;
     return result;
   }
 

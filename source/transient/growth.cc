@@ -70,6 +70,12 @@ namespace squeal
     return std::abs(rate) * (end - start);
   }
 
+  double
+  GrowthFit::n_periods() const
+  {
+    return std::abs(frequency) * (end - start);
+  }
+
   void
   GrowthFit::include(const std::complex<double> error)
   {

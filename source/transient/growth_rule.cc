@@ -17,6 +17,7 @@ namespace squeal
   tells_a_rate(const GrowthFit &fit)
   {
     return fit.is_valid && std::isfinite(fit.rate) &&
+           fit.n_periods() >= fewest_periods &&
            fit.rate_ci <=
              std::max(widest_share * std::abs(fit.rate), always_narrow);
   }

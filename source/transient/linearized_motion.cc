@@ -2,6 +2,8 @@
 #include <squeal/eigen/standard_pairs.h>
 #include <squeal/transient/linearized_motion.h>
 
+#include "contact_factor.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,7 +35,7 @@ namespace squeal
               break;
             case ContactStatus::stick:
               for (unsigned int c = 0; c < 3; ++c)
-                add(model, j, c, kept, kept_by_modes);
+                add(model, j, c, kept, kept);
               break;
             case ContactStatus::slip:
               slipping.push_back(j);
@@ -69,8 +71,6 @@ namespace squeal
       /** Motions that stay: the normal one of slipping nodes, all three of
        * sticking ones, as far as nothing else holds them. */
       std::vector<int> kept;
-      /** Those of sticking nodes without a flexibility: the modes keep them. */
-      std::vector<int> kept_by_modes;
       std::vector<int> normal_of_slipping; /**< places among them */
       std::vector<int> along;              /**< of slipping nodes */
       /** Directions in which a slipping node that is free to move there is a
@@ -185,6 +185,8 @@ namespace squeal
             mu[i]       = friction.coefficient[j];
             by_slip[i] = std::min(0., friction.slope[j]) * steady.forces[3 * j];
           }
+        factor =
+          ContactFactor(with_friction(rows.kept), rounding_of_flexibility(m));
         const double least = 1e-6 * steady.resultant()[0] / steady.n_closed();
         const auto   inverse_rate_of = [&](const int row) {
           const int    j     = row / 3;
@@ -223,6 +225,16 @@ namespace squeal
         return result;
       }
 
+      /** What forces at the kept rows, with their friction, act on. */
+      Eigen::MatrixXd
+      pulled() const
+      {
+        Eigen::MatrixXd result = participation(rows.kept);
+        result(rows.normal_of_slipping, Eigen::all) +=
+          mu.asDiagonal() * participation(rows.along);
+        return result;
+      }
+
       const ReducedContactModel &model;
       const ClosedRows           rows;
       /** The flexibility, and some where nothing moves along the face, m/N. */
@@ -231,26 +243,38 @@ namespace squeal
        * `viscous`, |V|/(mu p_0) across the sliding and 1/(p_0 dmu/dv) along it
        * and at rest; N s/m, the inverse of that of `viscous_in_modes`. */
       Eigen::VectorXd mu, by_slip, inverse_rate, dashpots;
+      /** Of the flexibility with friction of the kept rows. */
+      ContactFactor factor;
     };
 
     /** Normal and sticking forces that keep the kept motions at rest:
      * lambda_n = by_q q + by_s lambda_s + by_slip (slip rate), from
      * (G_nn + G_nt mu) lambda_n + G_ns lambda_s + G_nt p_0 mu' slip rate
-     * = Psi_n q. */
+     * = Psi_n q, those that the flexibility feels. */
     struct KeptForces
     {
       explicit KeptForces(const ClosedContact &c)
       {
-        const Eigen::PartialPivLU<Eigen::MatrixXd> factor(
-          c.with_friction(c.rows.kept));
-        by_q    = factor.solve(c.participation(c.rows.kept));
-        by_s    = -factor.solve(c.flexibility(c.rows.kept, c.rows.viscous));
-        by_slip = -factor.solve(Eigen::MatrixXd(
+        by_q    = c.factor.solve(c.participation(c.rows.kept));
+        by_s    = -c.factor.solve(c.flexibility(c.rows.kept, c.rows.viscous));
+        by_slip = -c.factor.solve(Eigen::MatrixXd(
           c.flexibility(c.rows.kept, c.rows.along) * c.by_slip.asDiagonal()));
       }
 
       Eigen::MatrixXd by_q, by_s, by_slip;
     };
+
+    /** @p E, m/N, what dashpots give way by their forces. Where that is rounding,
+     * each gets a spring so stiff that it follows a millionth of the time of
+     * the cut-off behind: without one its force would be no state. */
+    Eigen::MatrixXd
+    with_springs_of_dashpots(const ClosedContact &c, Eigen::MatrixXd E)
+    {
+      const double share = 1e-6 / (2. * M_PI * c.model.cut_off);
+      if (!ContactFactor(E, rounding_of_flexibility(c.model)).is_regular())
+        E.diagonal() += share * c.inverse_rate;
+      return E;
+    }
 
     /** A of x' = A x with the states q, v and, with friction, lambda_s = rate
      * d/dt u_s, where u_s = Psi_s q - H lambda_n - G_ss lambda_s, and so along
@@ -263,15 +287,13 @@ namespace squeal
       const KeptForces      normal(c);
       const Eigen::MatrixXd Psi_t = c.participation(rows.along),
                             Psi_s = c.participation(rows.viscous);
-      Eigen::MatrixXd pulled      = c.participation(rows.kept);
-      pulled(rows.normal_of_slipping, Eigen::all) += c.mu.asDiagonal() * Psi_t;
-      const Eigen::MatrixXd drag = -pulled.transpose();
+      const Eigen::MatrixXd drag  = -c.pulled().transpose();
       const Eigen::MatrixXd v_by_slip =
         drag * normal.by_slip - Psi_t.transpose() * c.by_slip.asDiagonal();
       const Eigen::MatrixXd H = c.with_friction(rows.viscous),
                             F = c.with_friction(rows.along);
-      const Eigen::MatrixXd E =
-        c.flexibility(rows.viscous, rows.viscous) + H * normal.by_s;
+      const Eigen::MatrixXd E = with_springs_of_dashpots(
+        c, c.flexibility(rows.viscous, rows.viscous) + H * normal.by_s);
       Eigen::MatrixXd slip_by_v = Psi_t - F * normal.by_q;
 
       const Eigen::Index n_s  = rows.viscous.size();
@@ -320,24 +342,40 @@ namespace squeal
       return A;
     }
 
-    /** Orthonormal columns: the states x in which the modes keep what nothing
-     * but they move at sticking nodes; forces there balance only what the
-     * others would do to A. */
-    Eigen::MatrixXd
-    states_that_stick(const ClosedContact &c, const Eigen::Index size)
+    /** The motions that are left where the modes, and not the flexibility, keep
+     * something: x = states y, y' = equations A states y. */
+    struct KeptByModes
     {
-      const Eigen::Index    n   = c.model.n_modes();
-      const Eigen::MatrixXd Psi = c.participation(c.rows.kept_by_modes);
-      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(Psi.transpose());
-      const Eigen::Index    n_free = n - factor.rank();
-      const Eigen::MatrixXd Q      = factor.householderQ();
-      Eigen::MatrixXd       result =
-        Eigen::MatrixXd::Zero(size, size - 2 * factor.rank());
-      result.block(0, 0, n, n_free)      = Q.rightCols(n_free);
-      result.block(n, n_free, n, n_free) = Q.rightCols(n_free);
-      result.bottomRightCorner(size - 2 * n, size - 2 * n).setIdentity();
-      return result;
-    }
+      KeptByModes(const ClosedContact &c, const Eigen::Index size)
+      {
+        // C q = 0 by forces R m, which friction turns: they take what C sees.
+        const Eigen::Index    n = c.model.n_modes();
+        const Eigen::MatrixXd C = c.factor.left_null_space().transpose() *
+                                  c.participation(c.rows.kept),
+                              R =
+                                c.pulled().transpose() * c.factor.null_space();
+        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(C.transpose());
+        const Eigen::MatrixXd whole = factor.householderQ();
+        const Eigen::MatrixXd Q     = whole.rightCols(n - factor.rank());
+        const Eigen::MatrixXd forces =
+          Q.transpose() * R *
+          Eigen::MatrixXd(C * R).completeOrthogonalDecomposition().solve(C);
+        const Eigen::Index rest = size - 2 * n;
+        states      = Eigen::MatrixXd::Zero(size, 2 * Q.cols() + rest);
+        equations   = Eigen::MatrixXd::Zero(2 * Q.cols() + rest, size);
+        n_positions = Q.cols();
+        states.block(0, 0, n, n_positions)           = Q;
+        states.block(n, n_positions, n, n_positions) = Q;
+        equations.block(0, 0, n_positions, n)        = Q.transpose();
+        equations.block(n_positions, n, n_positions, n) =
+          Q.transpose() - forces;
+        states.bottomRightCorner(rest, rest).setIdentity();
+        equations.bottomRightCorner(rest, rest).setIdentity();
+      }
+
+      Eigen::MatrixXd states, equations;
+      unsigned int    n_positions;
+    };
 
     /** What a relative change of the slopes dmu/dv that are negative adds to A,
      * over it. */
@@ -393,15 +431,14 @@ namespace squeal
     const ClosedContact   closed(model, steady, friction, speed);
     const Eigen::MatrixXd A = state_matrix(closed);
     LinearizedMotion      result;
-    if (closed.rows.kept_by_modes.empty())
+    if (closed.factor.is_regular())
       result = motion_of(A, model.n_modes());
     else
       {
-        const Eigen::MatrixXd states = states_that_stick(closed, A.rows());
-        result       = motion_of(states.transpose() * A * states,
-                           model.n_modes() - (A.rows() - states.cols()) / 2);
-        result.left  = (result.left * states.transpose()).eval();
-        result.right = (states * result.right).eval();
+        const KeptByModes kept(closed, A.rows());
+        result = motion_of(kept.equations * A * kept.states, kept.n_positions);
+        result.left  = (result.left * kept.equations).eval();
+        result.right = (kept.states * result.right).eval();
       }
     const Eigen::Index n_s = closed.rows.viscous.size();
     result.by_viscosity    = change_by_viscosity(closed, A, result);

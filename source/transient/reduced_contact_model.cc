@@ -355,9 +355,11 @@ namespace squeal
       }
     // Springs give way: their compliance adds to that of the bodies.
     model.flexibility.diagonal() += nodes.compliance();
-    model.load_motion = B.apply(residual_response(load));
-    model.initial_gap = Eigen::VectorXd::Zero(nodes.n_nodes());
-    model.speed_ratio = nodes.speed_ratio();
+    const Block response   = residual_response(load);
+    model.load_motion      = B.apply(response);
+    model.load_flexibility = inner_products(space, load, response).sum();
+    model.initial_gap      = Eigen::VectorXd::Zero(nodes.n_nodes());
+    model.speed_ratio      = nodes.speed_ratio();
     if (observers.cols() > 0)
       {
         Block                   known      = observers;
@@ -417,8 +419,11 @@ namespace squeal
                             inner_products(space, observers, responses);
     std::vector<ModalForce> result;
     for (Eigen::Index i = 0; i < forces.cols(); ++i)
-      result.push_back(
-        {modal.col(i), motion.col(i), forces.col(i), observed.col(i)});
+      result.push_back({modal.col(i),
+                        motion.col(i),
+                        forces.col(i),
+                        observed.col(i),
+                        responses.col(i)});
     return result;
   }
 } // namespace squeal

@@ -205,8 +205,11 @@ namespace squeal
     const Eigen::VectorXd load_before = load_now, motion_before = motion_now;
     load_now   = load;
     motion_now = motion;
-    energies.load += 0.5 * (load + load_before).dot(q - q_before) +
-                     0.5 * (lambda + lambda_1).dot(motion - motion_before);
+    energies.load +=
+      0.5 * (load + load_before).dot(q - q_before) +
+      0.5 * (lambda + lambda_1).dot(motion - motion_before) +
+      energy_of_loads(t, motion, lambda) -
+      energy_of_loads(dt * (n_steps - 1), motion_before, lambda_1);
     update_ledger(q_before, v_before, lambda_1, u_before);
     return report;
   }
@@ -236,7 +239,27 @@ namespace squeal
   {
     return 0.5 * v.squaredNorm() +
            0.5 * model.omega_squared.dot(q.cwiseAbs2()) +
-           0.5 * lambda.dot(model.flexibility * lambda);
+           0.5 * lambda.dot(model.flexibility * lambda) +
+           energy_of_loads(time(), motion_now, lambda);
+  }
+
+  double
+  ReducedTransient::energy_of_loads(const double           time,
+                                    const Eigen::VectorXd &motion,
+                                    const Eigen::VectorXd &contact_forces) const
+  {
+    // 1/2 (f - B^T lambda) R (f - B^T lambda), the last term being that of G.
+    if (drive.flexibility.size() == 0)
+      return 0.;
+    Eigen::VectorXd share(1 + drive.forces.size());
+    share[0] = drive.load(time);
+    for (std::size_t i = 0; i < drive.forces.size(); ++i)
+      share[1 + i] = drive.forces[i].factor(time);
+    double energy =
+      0.5 * share.dot(drive.flexibility * share) - contact_forces.dot(motion);
+    if (model.support_motion.size() > 0)
+      energy += share[0] * contact_forces.dot(model.support_motion);
+    return energy;
   }
 
 

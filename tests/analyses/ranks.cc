@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The program on one and on two ranks writes the same eigenvalues. Arguments:
-// mpirun, the program.
+// The program on one and on two ranks writes the same eigenvalues, and refuses
+// on two what one rank does alone, before any work. Arguments: mpirun, the
+// program.
 
 #include "program.h"
 
@@ -39,6 +40,37 @@ namespace
       }
     return rows;
   }
+
+  /** What only one rank does ends with the name of its entry, and without a
+   * folder of results. */
+  void
+  refused_before_any_work(const std::string              &mpirun,
+                          const std::string              &program,
+                          const std::string              &entry,
+                          const std::vector<std::string> &settings)
+  {
+    const std::string        folder  = "refused";
+    std::vector<std::string> command = {
+      mpirun, "-np", "2", program, "--set", "Output directory = " + folder};
+    for (const std::string setting :
+         {"Scene/Loads = press",
+          "Scene/Load press/Body = pad",
+          "Scene/Load press/Face = z_max",
+          "Scene/Load press/Force = 0, 0, -100",
+          "Scene/Contact pad_disc/Sliding speed = 1",
+          "Scene/Contact pad_disc/Formulation = mortar",
+          "Discretization/Mass = lumped",
+          "Discretization/Estimate error = false"})
+      command.insert(command.end(), {"--set", setting});
+    for (const std::string &setting : settings)
+      command.insert(command.end(), {"--set", setting});
+    command.push_back("brake.prm");
+    const Outcome o = run_program(command);
+    check(o.code != 0 && o.errors.find(entry) != std::string::npos &&
+            o.errors.find("without mpirun") != std::string::npos,
+          "refused on two ranks: " + o.errors);
+    check(!std::filesystem::exists(folder), "before any work: " + entry);
+  }
 } // namespace
 
 
@@ -66,6 +98,17 @@ main(int argc, char **argv)
       results.push_back(columns("ranks_" + ranks + "/eigenvalues.csv",
                                 {"frequency_hz", "sigma_per_s"}));
     }
+  for (const std::string integrator : {"implicit", "explicit"})
+    refused_before_any_work(
+      argv[1],
+      argv[2],
+      "Transient/Integrator",
+      {"Analysis = transient", "Transient/Integrator = " + integrator});
+  refused_before_any_work(
+    argv[1],
+    argv[2],
+    "Output/Export matrices",
+    {"Analysis = preload", "Output/Export matrices = true"});
   const auto &one = results[0], &two = results[1];
   check(one.size() == two.size() && one.size() >= 4,
         "pairs: " + std::to_string(one.size()));

@@ -58,9 +58,11 @@ namespace
   {
     const auto tells = [](const double rate, const double ci) {
       GrowthFit fit;
-      fit.rate     = rate;
-      fit.rate_ci  = ci;
-      fit.is_valid = true;
+      fit.rate      = rate;
+      fit.rate_ci   = ci;
+      fit.frequency = 1000.;
+      fit.end       = .1;
+      fit.is_valid  = true;
       return tells_a_rate(fit);
     };
     check(!tells(861.39, 1082.16) && !tells(-127.4, 1125.5) &&
@@ -90,6 +92,42 @@ namespace
           "nor does a decaying pair hidden by a growing one: " +
             std::to_string(mixed.rate) + " +- " +
             std::to_string(mixed.rate_ci));
+  }
+
+  /** The trace of another motion of one and a half times the frequency: within
+   * a period its slope looks like a rate with a narrow interval; over some it
+   * does not. */
+  void
+  rates_of_few_periods()
+  {
+    const Complex lambda(387., 2. * M_PI * 1429.),
+      trace(0., .5 * lambda.imag());
+    std::vector<double>  times;
+    std::vector<Complex> a;
+    for (unsigned int i = 0; i < 5000; ++i)
+      {
+        const double t = 2e-6 * i;
+        times.push_back(t);
+        a.push_back(std::exp(lambda * t) *
+                    (1. + .1 * std::exp(trace * t + Complex(0., 3.51))));
+      }
+    const auto over = [&](const double periods) {
+      const auto n =
+        static_cast<std::size_t>(periods * 2. * M_PI / lambda.imag() / 2e-6);
+      return fit_growth(times, a, 0, n);
+    };
+    const GrowthFit part = over(.6);
+    check(std::abs(part.rate - 387.) > part.rate_ci &&
+            part.rate_ci < .5 * std::abs(part.rate),
+          "a part of a beat looks like a rate: " + std::to_string(part.rate) +
+            " +- " + std::to_string(part.rate_ci));
+    check(!tells_a_rate(part) && !tells_a_rate(over(.9)) &&
+            !tells_a_rate(over(3.9)),
+          "fewer than four periods tell no rate");
+    const GrowthFit whole = over(12.);
+    check(tells_a_rate(whole) && std::abs(whole.rate - 387.) < whole.rate_ci,
+          "more do: " + std::to_string(whole.rate) + " +- " +
+            std::to_string(whole.rate_ci));
   }
 
   /** A rate that goes from 200 to 160 1/s, as where the trace of another motion
@@ -356,6 +394,7 @@ main()
 {
   rates();
   rates_that_tell_nothing();
+  rates_of_few_periods();
   rate_of_a_bent_curve();
   rates_beside_a_drift();
   spectra();

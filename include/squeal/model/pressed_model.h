@@ -102,6 +102,11 @@ namespace squeal
      * a Model whose contacts are open) as modal forces. Collective. */
     std::vector<ModalForce> forces(const Block &forces) const;
 
+    /** f_i R f_j of the load of the model and of @p further ones, in this order,
+     * on the residual flexibility of the bodies, N m. */
+    Eigen::MatrixXd flexibility_of(
+      const std::vector<ModalForce> &further) const;
+
     /** Velocities of the modes, of kinetic energy @p energy, J, after an
      * impulse spread at random over points of all bodies. It does not depend
      * on the signs of the modes nor on how those of one frequency share their

@@ -22,6 +22,7 @@ namespace squeal
     bool   is_valid = false;
 
     double e_foldings() const;
+    double n_periods() const; /**< in the window */
 
     /** Widens the intervals by what the time step adds to sigma + i omega, @p
      * error in 1/s (time_step_error.h). */

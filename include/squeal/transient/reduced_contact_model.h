@@ -44,6 +44,11 @@ namespace squeal
     Eigen::MatrixXd residual_coupling;
     Eigen::VectorXd load;        /**< phi^T f at full load */
     Eigen::VectorXd load_motion; /**< residual motion of the nodes, m */
+    /** What of it is that of a held support and not of the load; empty without
+     * one. */
+    Eigen::VectorXd support_motion;
+    /** f R f of the load on the residual flexibility R of the bodies, N m. */
+    double          load_flexibility = 0.;
     Eigen::VectorXd initial_gap; /**< of every node, m */
     /** Observed motions: modes q + load share * load - contact lambda. */
     struct Observation
@@ -183,6 +188,7 @@ namespace squeal
   struct ModalForce
   {
     Eigen::VectorXd modal, motion, nodal, observed;
+    Eigen::VectorXd response = {}; /**< residual motion of all unknowns, m */
   };
 
   /** The columns of @p forces as modal forces of the same reduction. */

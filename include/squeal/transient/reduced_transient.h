@@ -72,6 +72,11 @@ namespace squeal
                                   const Eigen::VectorXd &lambda_before,
                                   const Eigen::VectorXd &motion_before);
     double          stored_energy() const;
+    /** What the residual flexibility stores beside 1/2 lambda G lambda by
+     * external forces at @p time that move the nodes by @p motion, J. */
+    double energy_of_loads(const double           time,
+                           const Eigen::VectorXd &motion,
+                           const Eigen::VectorXd &contact_forces) const;
     /** What later steps depend on, beside counts and energies. */
     std::vector<std::pair<std::string, Eigen::VectorXd *>> state();
 

@@ -51,6 +51,9 @@ namespace squeal
     Eigen::MatrixXd coupling;
   };
 
+  /** Shift of the factor of static responses, Hz. */
+  constexpr double residual_shift = 20.;
+
   /** Static responses to forces without their share in a basis, on a factor
    * just below zero, where rigid motions do no harm. */
   class ResidualResponse
@@ -59,7 +62,7 @@ namespace squeal
     /** References are kept. Factorises at -(2 pi @p shift)^2, @p shift in Hz. */
     ResidualResponse(const Pencil         &pencil,
                      const ReductionBasis &basis,
-                     const double          shift = 20.);
+                     const double          shift = residual_shift);
     Block operator()(const Block &forces) const;
 
     /** The same but for an error of (shift / f)^2 in modes of the frequency f,

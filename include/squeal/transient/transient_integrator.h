@@ -31,6 +31,10 @@ namespace squeal
       Function   factor;
     };
     std::vector<Force> forces;
+    /** f_i R f_j of the load of the model and of these forces, in this order,
+     * on the residual flexibility R of the bodies, N m: what they do work on
+     * where they act. Empty: nothing. */
+    Eigen::MatrixXd flexibility;
     /** mu of every node over its slip rate; null: one mu for all, which depends
      * on time alone. */
     std::shared_ptr<const FrictionLaws> laws = {};

@@ -100,6 +100,10 @@ namespace squeal
         {pressed.force(load_of(t.hammer)), [t](const double time) {
            return half_sine(time, t.hammer.time, t.hammer.duration);
          }});
+    std::vector<ModalForce> further;
+    for (const auto &force : drive.forces)
+      further.push_back(force.force);
+    drive.flexibility = pressed.flexibility_of(further);
     return drive;
   }
 

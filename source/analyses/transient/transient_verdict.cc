@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/transient/transient_verdict.h>
+#include <squeal/transient/growth_rule.h>
 
 #include <algorithm>
 #include <cmath>
@@ -183,6 +184,22 @@ namespace squeal
 
 
 
+  namespace
+  {
+    /** In the window of the fit. */
+    double
+    periods_of(const BranchResult &b)
+    {
+      return b.frequency * (b.fit.end - b.fit.start);
+    }
+
+    bool
+    is_too_short(const BranchResult &b)
+    {
+      return periods_of(b) < fewest_periods;
+    }
+  } // namespace
+
   std::string
   reason_for_no_rate(const TransientFigures &f)
   {
@@ -191,6 +208,11 @@ namespace squeal
     const GrowthFit &fit = f.branches[f.leading].fit;
     if (!(fit.end > fit.start))
       return "not fitted: the leading pair has no linear phase of its own";
+    if (is_too_short(f.branches[f.leading]))
+      return "not fitted: the linear phase leaves " +
+             rounded_text(periods_of(f.branches[f.leading]), 2) +
+             " periods of the leading pair, and a rate takes at least " +
+             rounded_text(fewest_periods, 1);
     return "left out: a fit of " + rate_text(fit.rate, fit) +
            " tells no rate of the leading pair";
   }
@@ -227,8 +249,8 @@ namespace squeal
                       std::to_string(f.branches.size()) +
                       " pairs are left out, whose amplitudes are traces of "
                       "other motions (another frequency, or an interval "
-                      "wider than half of the rate): " +
-                      which;
+                      "wider than half of the rate) or last for less than " +
+                      rounded_text(fewest_periods, 1) + " periods: " + which;
   }
 
 
