@@ -179,7 +179,7 @@ main(int, char **argv)
   check_close(found.real(0, "rms_normal_n"), 55.18, 5e-3, "rms");
   // Such a motion may come near to itself at the end of one run by chance.
   unsigned int n_aperiodic = 0;
-  for (const char *friction : {"1.8", "2.2"})
+  for (const char *friction : {"1.6", "1.7", "2.3"})
     {
       run(program, with_friction(friction) + longer);
       n_aperiodic +=

@@ -318,7 +318,7 @@ namespace
     unsigned int n = 0;
     Worst        off;
     for (std::size_t r = 0; r < table.n_rows(); ++r)
-      if (table.real(r, "sigma_per_s") > 0.)
+      if (table.integer(r, "unstable") == 1)
         {
           ++n;
           off.add(std::abs(table.real(r, "sigma_per_s") / sigma - 1.));
