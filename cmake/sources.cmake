@@ -217,7 +217,8 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/first_order_index.cc
     source/sweep/parametric_system.cc
     source/sweep/point_solver.cc
-    source/sweep/reduced_model.cc
+    source/sweep/range_ends.cc
+  source/sweep/reduced_model.cc
     source/sweep/reduced_model_file.cc
     source/sweep/refined_pairs.cc
     source/sweep/sensitivity.cc

@@ -3,6 +3,8 @@
 #include <squeal/eigen/unstable_pair.h>
 #include <squeal/sweep/stability.h>
 
+#include "certain_sigma.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,15 +20,6 @@ namespace squeal
     constexpr unsigned int most_halvings = 6;
     /** Of an interval from which the steps lead to a coalescence elsewhere. */
     constexpr unsigned int most_halvings_outside = 24;
-
-    /** Sigma less what rounding makes of it: an undamped pair has one of either
-     * sign, a few digits of its condition large. */
-    double
-    certain_sigma(const ComplexPairs &pairs, const int i)
-    {
-      return pairs.sigma(i) - 1e-14 * std::min(pairs.condition[i], 1e8) *
-                                std::abs(pairs.lambda[i]);
-    }
 
     /** Condition of the two of @p pairs next to those beside a coalescence, NaN
      * where the band has none next to one of them. */
@@ -229,45 +222,6 @@ namespace squeal
 
 
 
-  double
-  LineStability::edge(const TrackedPoint &a,
-                      const TrackedPoint &b,
-                      const int           branch,
-                      double             &slope) const
-  {
-    const int i = a.pair_of(branch), j = b.pair_of(branch);
-    double    x0 = a.coordinate, x1 = b.coordinate;
-    double    s0 = certain_sigma(a.pairs, i), s1 = certain_sigma(b.pairs, j);
-    // The end inside the range leads: the branch is distinct there.
-    const TrackedPoint &inside = s0 > 0. ? a : b;
-    const int           pair   = s0 > 0. ? i : j;
-    for (unsigned int step = 0; std::abs(x1 - x0) > tolerance && step < 80;
-         ++step)
-      {
-        // Secant steps kept away from the ends; every third one halves.
-        double share   = s0 / (s0 - s1);
-        share          = step % 3 == 2 ? 0.5 : std::clamp(share, 0.02, 0.98);
-        const double x = x0 + share * (x1 - x0);
-        const double value = continue_pair(inside, pair, x).sigma();
-        if ((value > 0.) == (s0 > 0.))
-          {
-            x0 = x;
-            s0 = value;
-          }
-        else
-          {
-            x1 = x;
-            s1 = value;
-          }
-        if (s0 == s1)
-          break;
-      }
-    slope = (s1 - s0) / (x1 - x0);
-    return x0 + s0 / (s0 - s1) * (x1 - x0);
-  }
-
-
-
   bool
   LineStability::may_peak_between(const TrackedPoint &a,
                                   const TrackedPoint &b) const
@@ -366,12 +320,7 @@ namespace squeal
               !range.at_lower_limit && std::isnan(sigma(p - 1));
             range.leaves_band_above =
               !range.at_upper_limit && std::isnan(sigma(last + 1));
-            if (range.has_lower_edge())
-              range.lower =
-                edge(line[p - 1], line[p], branch, range.lower_slope);
-            if (range.has_upper_edge())
-              range.upper =
-                edge(line[last], line[last + 1], branch, range.upper_slope);
+            find_ends(line, p, last, range);
             is_beyond = locate_peak(line, top, range) || is_beyond;
             // A range in which sigma nowhere exceeds its error is none.
             if (is_beyond)

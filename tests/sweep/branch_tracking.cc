@@ -432,10 +432,13 @@ namespace
     check(!up.at_upper_limit && up.leaves_band_above && !up.has_upper_edge(),
           "and leaves the band, which is no end of the axis");
     check(up.upper_slope == 0., "there is no edge with a slope");
+    const double frequency = std::sqrt(std::complex<double>(1., .1)).real();
+    check_close(up.upper, .6 / frequency, 1e-6, "where it leaves the band");
     const UnstableRange down = range_of(0.1, 0.5);
     check(!down.at_lower_limit && down.leaves_band_below &&
             !down.has_lower_edge() && down.at_upper_limit,
           "nor is where it comes into the band");
+    check_close(down.lower, .2 / frequency, 1e-6, "which is told");
   }
 
   /** Two oscillators, lock-in where their frequencies 1 + t/2 and 2 - t/2, in

@@ -19,7 +19,7 @@ namespace squeal
     bool   at_lower_limit = false; /**< still unstable at the line's end */
     bool   at_upper_limit = false;
     /** Still unstable where the branch leaves the frequency band within the
-     * line: `lower` or `upper` is the last point that has it. */
+     * line: `lower` or `upper` is where it does. */
     bool   leaves_band_below = false, leaves_band_above = false;
     double peak_sigma     = 0.; /**< 1/s */
     double peak_at        = 0.;
@@ -105,7 +105,20 @@ namespace squeal
                 const TrackedPoint &b,
                 const int           branch,
                 double             &slope) const;
-    bool   knows(const double x) const;
+    /** Where the branch, unstable at the point @p inside, leaves the band on the
+     * way to the neighbour @p outside, which lacks it, with a slope of NaN; or,
+     * if sigma becomes zero before, that root and its slope. The point itself
+     * where the problem between is not known. */
+    double end_in_band(const TrackedPoint &inside,
+                       const TrackedPoint &outside,
+                       const int           branch,
+                       double             &slope) const;
+    /** Both ends of the range whose first and last points are given. */
+    void find_ends(const std::vector<TrackedPoint> &line,
+                   const std::size_t                first,
+                   const std::size_t                last,
+                   UnstableRange                   &range) const;
+    bool knows(const double x) const;
     /** Whether a peak next to @p a may lie between it and its neighbour @p b.
      */
     bool may_peak_between(const TrackedPoint &a, const TrackedPoint &b) const;
