@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "random_of_row.h"
 #include "residual_directions.h"
 
 #include <squeal/base/worst_of.h>
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -101,24 +101,14 @@ namespace squeal
       bool              has_position = false, has_velocity = false;
     };
 
-    /** Random numbers from -1 to 1 that depend on the global row only. A linear
-     * congruential generator started from the row gives a linear function of
-     * it: the columns of alike parts would all be combinations of two. This is
-     * Steele, Lea and Flood's SplitMix (2014). */
     Block
     random_columns(const RowSpace &space, const unsigned int seed)
     {
       Block result(space.n_owned(), n_columns);
       for (unsigned int i = 0; i < space.n_owned(); ++i)
         for (unsigned int j = 0; j < n_columns; ++j)
-          {
-            const std::uint64_t row = space.first_owned() + i;
-            std::uint64_t       z =
-              ((row << 16) + seed * n_columns + j + 1) * 0x9e3779b97f4a7c15u;
-            z            = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-            z            = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-            result(i, j) = std::ldexp(double((z ^ (z >> 31)) >> 11), -52) - 1.;
-          }
+          result(i, j) =
+            random_of_row(space.first_owned() + i, seed * n_columns + j);
       return result;
     }
 

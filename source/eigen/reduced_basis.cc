@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "random_of_row.h"
+
 #include <squeal/eigen/reduced_basis.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <random>
 
 namespace squeal
 {
@@ -18,11 +19,7 @@ namespace squeal
     {
       Block result(space.n_owned(), 1);
       for (unsigned int i = 0; i < space.n_owned(); ++i)
-        {
-          std::minstd_rand generator(12345 + space.first_owned() + i);
-          generator.discard(3);
-          result(i, 0) = 1. + double(generator()) / double(generator.max());
-        }
+        result(i, 0) = 2. + random_of_row(space.first_owned() + i, 0);
       return result;
     }
   } // namespace

@@ -63,10 +63,9 @@ namespace squeal
     /**
      * The @p n_pairs eigenvalues nearest to the shift with right vectors and
      * residuals (no left vectors, no conditions, no error estimates: NaN).
-     * Eigenvalues of both
-     * half-planes may be among them. An imaginary part below 1e-6 times the
-     * distance from the shift may be rounding and is 0. Throws ComputationError
-     * when ARPACK does not converge.
+     * Eigenvalues of both half-planes may be among them. An imaginary part
+     * below 1e-6 times the distance from the shift may be rounding and is 0.
+     * Throws ComputationError when ARPACK does not converge.
      */
     ComplexPairs solve(const unsigned int n_pairs,
                        const double       tolerance = 1e-12) const;
