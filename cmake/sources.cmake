@@ -218,7 +218,7 @@ set(SQUEAL_SOURCES_SWEEP
     source/sweep/parametric_system.cc
     source/sweep/point_solver.cc
     source/sweep/range_ends.cc
-  source/sweep/reduced_model.cc
+    source/sweep/reduced_model.cc
     source/sweep/reduced_model_file.cc
     source/sweep/refined_pairs.cc
     source/sweep/sensitivity.cc
