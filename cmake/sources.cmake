@@ -23,6 +23,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/named_numbers.cc
     source/base/number_text.cc
     source/base/open_hdf5_files.cc
+    source/base/output_directory.cc
     source/base/packing.cc
     source/base/program_id.cc
     source/base/root_action.cc

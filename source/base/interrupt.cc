@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
 #include <squeal/base/interrupt.h>
+#include <squeal/base/output_directory.h>
 #include <squeal/base/stop_signals.h>
 
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/output/matrix_output.h>
 
+#include <squeal/base/files.h>
 #include <squeal/results/matrix_market.h>
 #include <squeal/scene/matrix_import.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
-
+#include <squeal/base/files.h>
 #include <squeal/results/motion_writer.h>
 
 #include <algorithm>

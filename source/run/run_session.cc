@@ -159,9 +159,9 @@ namespace squeal
       {
         if (report)
           output.file("report.html");
-        output.file("run.json");
+        output.file(record_file_name);
         record.files.assign(output.files().begin(), output.files().end());
-        write_run_record(record, output.file("run.json"));
+        write_run_record(record, output.file(record_file_name));
         if (report)
           {
             report->run_record(record, commands());

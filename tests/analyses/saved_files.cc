@@ -4,6 +4,7 @@
 
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
+#include <squeal/base/output_directory.h>
 #include <squeal/base/sealed_file.h>
 #include <squeal/base/state_files.h>
 #include <squeal/run/checkpoints.h>

@@ -3,6 +3,7 @@
 // what squeal has not written.
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
+#include <squeal/base/output_directory.h>
 
 #include <csignal>
 #include <filesystem>
@@ -168,9 +169,20 @@ namespace
       check(output.files().count("plots/deep/a.png") == 1,
             "the directory knows the names it gave");
     }
+    {
+      OutputDirectory output(directory, false);
+      check(!fs::exists(directory + "/modes.csv"),
+            "nor does one that was killed before it had listed its record");
+      fill(output);
+      put(output.file(record_file_name), "ended");
+    }
     check_throws<InputError>([&] { OutputDirectory(directory, false); },
                              "is not empty",
                              "results are not overwritten by themselves");
+    fs::remove(directory + "/run.json");
+    check_throws<InputError>([&] { OutputDirectory(directory, false); },
+                             "is not empty",
+                             "nor where only the record was removed");
 
     put(directory + "/plots/mine.png", "mine");
     put(directory + "/.part.modes.csv", "killed");
@@ -200,6 +212,32 @@ namespace
     check(elsewhere.file("a/b.csv") == (work / "other_rank/a/b.csv").string() &&
             !fs::exists(work / "other_rank"),
           "ranks other than the root create nothing");
+  }
+
+  /** A folder of results that was moved away, with a link in its place. */
+  void
+  test_linked_folder()
+  {
+    const fs::path directory = work / "linked", archive = work / "archive";
+    {
+      OutputDirectory output(directory.string(), false);
+      put(output.file("plots/a.png"), "result");
+      put(output.file(record_file_name), "ended");
+    }
+    fs::rename(directory / "plots", archive);
+    fs::create_directory_symlink("../archive", directory / "plots");
+    check_throws<InputError>(
+      [&] { OutputDirectory(directory.string(), true); },
+      "'files_test/linked/plots' of earlier results is a symbolic link",
+      "results behind a link out of the directory are not removed");
+    check(fs::exists(archive / "a.png") && fs::exists(directory / "run.json"),
+          "and nothing else is");
+
+    fs::create_directory_symlink("linked", work / "alias");
+    fs::remove(directory / "plots");
+    OutputDirectory((work / "alias").string(), true);
+    check(!fs::exists(directory / "run.json"),
+          "a link to the whole directory is that directory");
   }
 
   /** Two runs under one name, the directory removed between them. */
@@ -294,6 +332,7 @@ main()
   test_reading();
   test_preparation();
   test_output_directory();
+  test_linked_folder();
   test_removed_directory();
   test_inputs_in_output_directory();
   fs::remove_all(work);

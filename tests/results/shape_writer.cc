@@ -4,7 +4,7 @@
 // point of every body moves as it was told to, on any number of ranks.
 
 #include <squeal/base/exceptions.h>
-
+#include <squeal/base/files.h>
 #include <squeal/results/shape_writer.h>
 
 #include <deal.II/base/mpi.h>

@@ -2,7 +2,7 @@
 #ifndef squeal_results_shape_writer_h
 #define squeal_results_shape_writer_h
 
-#include <squeal/base/files.h>
+#include <squeal/base/output_directory.h>
 
 #include <squeal/results/drawn_bodies.h>
 

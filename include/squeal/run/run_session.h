@@ -2,8 +2,8 @@
 #ifndef squeal_run_run_session_h
 #define squeal_run_run_session_h
 
-#include <squeal/base/files.h>
 #include <squeal/base/interrupt.h>
+#include <squeal/base/output_directory.h>
 #include <squeal/base/run_log.h>
 #include <squeal/base/timers.h>
 #include <squeal/parameters/analysis_parameters.h>

@@ -265,6 +265,30 @@ namespace squeal
           error_of_column("mesh", table, "discretisation_error_rel"));
       return headline_error(sources);
     }
+
+    /** Writes the direct pairs beside the certified ones and says what these
+     * miss. The certified pairs stand without them: where the direct solver
+     * does not converge, the run goes on and warns. */
+    std::string
+    compare_directly(RunContext         &context,
+                     const Model        &model,
+                     const ModeSolution &modes,
+                     const ComplexPairs &pairs)
+    {
+      try
+        {
+          const Table checks = compare_with_direct(
+            model, modes, pairs, context.log, context.timers);
+          context.write_table("direct_check.csv", checks);
+          return text_of_missing(pairs_without_certified(checks));
+        }
+      catch (const ComputationError &e)
+        {
+          context.log.warning(
+            std::string("the certified pairs are not compared: ") + e.what());
+          return "";
+        }
+    }
   } // namespace
 
 
@@ -305,14 +329,9 @@ namespace squeal
     const std::string moduli = moduli_text(p.scene, pairs);
     if (!moduli.empty())
       context.write_table("moduli.csv", moduli_table(p.scene, pairs));
-    std::string missing;
-    if (p.eigen.compare_direct)
-      {
-        const Table checks =
-          compare_with_direct(model, modes, pairs, context.log, context.timers);
-        context.write_table("direct_check.csv", checks);
-        missing = text_of_missing(pairs_without_certified(checks));
-      }
+    const std::string missing =
+      p.eigen.compare_direct ? compare_directly(context, model, modes, pairs)
+                             : "";
     write_signature(context, model, pairs);
     if (p.output.export_matrices)
       write_eigenpairs(context, *modes.pencil->space(), pairs, "matrices");
