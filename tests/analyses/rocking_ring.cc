@@ -38,6 +38,16 @@ namespace
               t.real(0, "limit_cycle_frequency_ci_hz"),
           "the period is that of the limit cycle: " + std::to_string(f) + ", " +
             std::to_string(c.real(0, "frequency_hz")) + " Hz");
+    for (const std::string number : {"mean_normal", "rms_normal"})
+      {
+        const double error = t.real(0, number + "_error_n");
+        check(std::abs(t.real(0, number + "_n") - c.real(0, number + "_n")) <=
+                  error + c.real(0, number + "_error_n") &&
+                error < .01 * t.real(0, "mean_normal_n"),
+              number + " of a run that ends within a period is that of the "
+                       "limit cycle within its error, " +
+                std::to_string(error) + " N");
+      }
     check_close(t.real(0, "largest_line_hz"),
                 2. * f,
                 1e-3,

@@ -125,6 +125,9 @@ namespace squeal
       const auto shown = [&](const std::string &name) {
         return summary.display(0, summary.column_index(name));
       };
+      const auto by_cut = [&](const std::string &name) {
+        return summary.is_missing(0, name) ? "" : " +- " + shown(name);
+      };
       const bool        has_fit = !summary.is_missing(0, "growth_rate_per_s");
       const std::string reduction =
         f.leading < 0 || !is_reduced
@@ -149,7 +152,8 @@ namespace squeal
         {"normal force" + of_judged(f.loudest),
          shown(f.loudest.name.empty() ? "mean_normal_n"
                                       : "loudest_mean_normal_n") +
-           " N, rms " + shown("rms_normal_n") + " N" +
+           by_cut("mean_normal_error_n") + " N, rms " + shown("rms_normal_n") +
+           by_cut("rms_normal_error_n") + " N" +
            (f.loudest.is_beside_sums() ? " of the " + f.loudest.force_name
                                        : "") +
            ", which changes by " + shown("rms_normal_change_n") +

@@ -112,7 +112,18 @@ namespace squeal
          Type::real,
          "N",
          "of the rms from the first to the second half of its time",
-         3}};
+         3},
+        {"mean_normal_error_n",
+         Type::real,
+         "N",
+         "of the judged pair: by the period that the end of the run cuts, at "
+         "most",
+         2},
+        {"rms_normal_error_n",
+         Type::real,
+         "N",
+         "by the period that the end of the run cuts, at most",
+         2}};
     }
 
 
@@ -172,6 +183,8 @@ namespace squeal
               of_lines(f.largest_line),
               vibrating(f.repetition),
               or_missing(f.rms_change),
+              or_missing(f.mean_normal_error),
+              or_missing(f.rms_normal_error),
               known(b.sigma_reduction),
               known(b.frequency_reduction)};
     }

@@ -157,6 +157,11 @@ namespace squeal
      * as `most_rms`, N. */
     double most_rms_of_sum = 0.;
     double min_normal = 0., max_normal = 0.;
+    /** N, of `mean_normal` and `rms_normal`: what the last period of a limit
+     * cycle, which the end of the run cuts, makes at most. NaN where nothing
+     * repeats, the second where a moment or a node is judged. */
+    double mean_normal_error = std::numeric_limits<double>::quiet_NaN(),
+           rms_normal_error  = std::numeric_limits<double>::quiet_NaN();
     double mean_tangential = 0., rms_tangential = 0.;
     double mean_normal_of_all   = 0.; /**< of the sum over pairs, N */
     double macroscopic_friction = 0.; /**< mean friction over mean normal of
