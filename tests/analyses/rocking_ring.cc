@@ -44,8 +44,9 @@ namespace
         check(std::abs(t.real(0, number + "_n") - c.real(0, number + "_n")) <=
                   error + c.real(0, number + "_error_n") &&
                 error < .01 * t.real(0, "mean_normal_n"),
-              number + " of a run that ends within a period is that of the "
-                       "limit cycle within its error, " +
+              number +
+                " of a run that ends within a period is that of the "
+                "limit cycle within its error, " +
                 std::to_string(error) + " N");
       }
     check_close(t.real(0, "largest_line_hz"),
