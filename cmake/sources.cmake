@@ -112,6 +112,7 @@ set(SQUEAL_SOURCES_SCENE
     source/scene/imported_model.cc
     source/scene/layer_mesh.cc
     source/scene/loose_parts.cc
+    source/scene/matching_faces.cc
     source/scene/matrix_formats.cc
     source/scene/matrix_import.cc
     source/scene/matrix_import_abaqus.cc

@@ -3,12 +3,12 @@
 #include <squeal/scene/coarse_mesh.h>
 #include <squeal/scene/layer_mesh.h>
 #include <squeal/scene/loose_parts.h>
+#include <squeal/scene/matching_faces.h>
 #include <squeal/scene/tied_faces.h>
 
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <set>
 
 namespace squeal
 {
@@ -21,34 +21,6 @@ namespace squeal
       for (const auto &name : names)
         text += (text.empty() ? "" : ", ") + name;
       return text.empty() ? "none" : text;
-    }
-
-    double
-    extent(const CoarseMesh &mesh, const std::set<unsigned int> &vertices)
-    {
-      double size = 0.;
-      for (const unsigned int v : vertices)
-        size = std::max(
-          size, mesh.vertices[v].distance(mesh.vertices[*vertices.begin()]));
-      return size;
-    }
-
-    /** Partner on the target face of every source vertex; empty where the two
-     * face meshes differ. */
-    std::map<unsigned int, unsigned int>
-    matching_vertices(const CoarseMesh             &mesh,
-                      const std::set<unsigned int> &source,
-                      const std::set<unsigned int> &target)
-    {
-      std::map<unsigned int, unsigned int> partner;
-      const double tolerance = 1e-6 * extent(mesh, source);
-      for (const unsigned int s : source)
-        for (const unsigned int t : target)
-          if (mesh.vertices[s].distance(mesh.vertices[t]) < tolerance)
-            partner[s] = t;
-      if (partner.size() != source.size() || source.size() != target.size())
-        partner.clear();
-      return partner;
     }
 
     /** Replaces the source vertices by their partners; the joined faces stop
@@ -334,8 +306,7 @@ namespace squeal
           }
         const unsigned int target =
           face_id(mesh, scene, tie.target_body, tie.target_face);
-        const auto partner = matching_vertices(
-          mesh, vertices_of_face(mesh, source), vertices_of_face(mesh, target));
+        const auto        partner = matching_vertices(mesh, source, target);
         const std::string use     = other_use_of_tied_faces(scene, tie);
         const bool        join_it = !partner.empty() &&
                              tie.kind != TieParameters::Kind::mortar &&

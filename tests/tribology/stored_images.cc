@@ -244,6 +244,14 @@ namespace
   check_stacks(const cv::Mat &image)
   {
     write_text("stack.tif", tiff_file({{image}, {image}}));
+    for (const std::string &begin :
+         {std::string("II+\0\b\0\0\0", 8), std::string("MM\0+\0\b\0\0", 8)})
+      {
+        write_text("big.tif", begin + std::string(200, '\0'));
+        check_throws<InputError>([]() { read_pixels("big.tif"); },
+                                 "BigTIFF, which is not read: save it as",
+                                 "a BigTIFF is told from a damaged file");
+      }
     check_throws<InputError>([]() { read_raw("stack.tif"); },
                              "a stack of 2 images",
                              "which image of a stack is meant is not known");

@@ -47,6 +47,12 @@ namespace squeal::tribology
     promised_size(const std::string &data, const std::string &path)
     {
       const auto size = image_size(data);
+      for (const std::string &begin :
+           {std::string("II+\0", 4), std::string("MM\0+", 4)})
+        if (data.compare(0, 4, begin) == 0)
+          throw InputError(path +
+                           " is a BigTIFF, which is not read: save it as "
+                           "classic TIFF or PNG");
       if (!size)
         refuse_format(path);
       return *size;
