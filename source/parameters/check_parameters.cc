@@ -258,18 +258,16 @@ namespace squeal
         const auto any = [](const auto &list, const auto &is_it) {
           return std::any_of(list.begin(), list.end(), is_it);
         };
-        if (!m.pressures.empty() && (!any(scene.loads, [](const auto &l) {
-              return l.pressure != 0.;
-            }) || !any(scene.contacts, [](const auto &c) {
-              return c.state == ContactParameters::State::preload;
-            })))
+        const bool has_tables = any(
+          scene.bodies, [](const auto &b) { return b.has_modulus_table(); });
+        if (!m.pressures.empty() && !has_tables && !presses_contacts(scene))
           refuse_entry(section,
                        "Pressures",
                        "needs a load with a 'Pressure' and a contact with "
-                       "'Contact state = preload': nothing else knows of it");
-        if (!m.temperatures.empty() && !any(scene.bodies, [](const auto &b) {
-              return b.has_modulus_table();
-            }))
+                       "'Contact state = preload', or a body whose 'Modulus "
+                       "table file' has the column pressure_Pa: nothing else "
+                       "knows of it");
+        if (!m.temperatures.empty() && !has_tables)
           refuse_entry(section,
                        "Temperatures",
                        "needs a body with a 'Modulus table file': nothing "
@@ -437,6 +435,20 @@ namespace squeal
         check_result_check(check);
     }
   } // namespace prm
+
+
+
+  bool
+  presses_contacts(const SceneParameters &scene)
+  {
+    return std::any_of(scene.loads.begin(),
+                       scene.loads.end(),
+                       [](const auto &l) { return l.pressure != 0.; }) &&
+           std::any_of(
+             scene.contacts.begin(), scene.contacts.end(), [](const auto &c) {
+               return c.state == ContactParameters::State::preload;
+             });
+  }
 
 
 

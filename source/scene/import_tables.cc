@@ -59,7 +59,10 @@ namespace squeal
       next()
       {
         if (!next_line())
-          return false;
+          {
+            file.check_last_line_is_complete();
+            return false;
+          }
         values = prm::split(std::string(file.line()), ',');
         if (values.size() != n_columns)
           file.fail("this line has " + std::to_string(values.size()) +

@@ -115,6 +115,8 @@ namespace squeal
         file.fail("the file ends after " +
                   std::to_string(matrix.entries.size()) + " of " +
                   std::to_string(n_entries) + " entries: it is truncated");
+      // the last number may have lost digits
+      file.check_last_line_is_complete();
       matrix.n = n;
       return matrix;
     }

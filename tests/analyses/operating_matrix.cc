@@ -241,6 +241,27 @@ namespace
     check(beyond.output.find("by the inertia") == std::string::npos,
           "which is refused before any work");
 
+    // Contacts that no load presses feel the pressure by the table alone.
+    for (const std::string file : {"pressed.csv", "lining.csv"})
+      {
+        write_text(
+          "closed.prm",
+          "include stiffened.prm\nset Output directory = closed\n"
+          "set Overwrite = true\nsubsection Scene\n"
+          " subsection Body lining_upper\n  set Modulus table file = " +
+            file + (file == "pressed.csv" ? "" : "\n  set Pressure = 0") +
+            "\n end\n"
+            " subsection Contact lower\n  set Contact state = full\n"
+            " end\n subsection Contact upper\n"
+            "  set Contact state = full\n end\nend\n");
+        const Outcome o = run_program({program, "closed.prm"});
+        check(o.code == (file == "pressed.csv" ? 0 : 2) &&
+                (o.code == 0 ||
+                 unbroken(o.errors).find("'Operating matrix/Pressures' acts on "
+                                         "nothing") != std::string::npos),
+              "pressures of " + file + " alone: " + o.errors);
+      }
+
     write_text(
       "no_column.prm",
       scene(folder, "set Analysis = cea\nset Output directory = no_column") +

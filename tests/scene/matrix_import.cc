@@ -43,9 +43,9 @@ namespace
     check_text("MatrixMarket, lower half",
                "%%MatrixMarket matrix coordinate real symmetric\n"
                "% a comment\n\n2 2 3\n1 1 2e5\n2 1 -1.0E5\n2 2 1e+05\n");
-    check_text("MatrixMarket, upper half, Windows line ends, no last line end",
+    check_text("MatrixMarket, upper half, Windows line ends",
                "%%matrixmarket MATRIX Coordinate Integer Symmetric\r\n"
-               "2 2 3\r\n1 1 200000\r\n1 2 -100000\r\n2 2 +100000");
+               "2 2 3\r\n1 1 200000\r\n1 2 -100000\r\n2 2 +100000\r\n");
     check_text("MatrixMarket, general",
                "%%MatrixMarket matrix coordinate real general\n"
                "2 2 4\n1 1 2e5\n2 1 -1e5\n2 2 1e5\n1 2 -1e5\n");

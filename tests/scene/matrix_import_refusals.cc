@@ -147,6 +147,9 @@ namespace
            banner + "skew-symmetric\n2 2 1\n1 1 1\n",
            "bad.txt:3: entry (1, 1) is on the diagonal",
            Role::damping);
+    refuse("last number cut",
+           banner + "general\n1 1 1\n1 1 3200",
+           "bad.txt: its last line has no line end");
     const std::string unsymmetric =
       banner + "general\n2 2 4\n1 1 2\n2 1 1\n1 2 1.01\n2 2 3\n";
     for (const Role role : {Role::mass, Role::stiffness, Role::normal_contact})
@@ -298,6 +301,9 @@ namespace
     refuse_table("line cut short",
                  header + "1,1,1,0,0,0,pad\n2,1,2,0,0\n",
                  "nodes.csv:3: this line has 5 values, the header 7");
+    refuse_table("last number cut",
+                 header + "1,1,1,0,0,0,pad",
+                 "nodes.csv: its last line has no line end");
     refuse_table("NaN",
                  header + "1,1,1,nan,0,0,pad\n",
                  "nodes.csv:2: x 'nan' is not finite");

@@ -358,6 +358,10 @@ namespace squeal
     double      friction_coefficient     = 0.; /**< imported models */
     std::string node_table_file; /**< CSV dof,node,component,x,y,z,body */
   };
+
+  /** Whether loads with a pressure decide on a contact's normal forces: it is
+   * that of steady sliding. */
+  bool presses_contacts(const SceneParameters &scene);
 } // namespace squeal
 
 #endif

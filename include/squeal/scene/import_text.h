@@ -38,8 +38,8 @@ namespace squeal
       void rewind();
 
       /** Throws InputError when the last line has no line end: the sign of a
-       * copy that stopped half-way, in formats that do not say how many
-       * entries they hold. */
+       * copy that stopped half-way, within a number or, in formats that do not
+       * say how many entries they hold, between any two lines. */
       void check_last_line_is_complete() const;
 
       /** Throws InputError about the current line. */

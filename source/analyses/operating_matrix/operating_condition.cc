@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/analyses/operating_matrix/operating_condition.h>
+#include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/model/frequency_pencil.h>
 #include <squeal/scene/modulus_table.h>
+
+#include <algorithm>
 
 namespace squeal
 {
@@ -50,6 +53,17 @@ namespace squeal
           if (c.pressure && tables.depend_on_pressure(body))
             body.pressure = *c.pressure;
         }
+      const bool is_felt = presses_contacts(scene) ||
+                           std::any_of(scene.bodies.begin(),
+                                       scene.bodies.end(),
+                                       [&tables](const auto &body) {
+                                         return tables.depend_on_pressure(body);
+                                       });
+      if (c.pressure && !is_felt)
+        throw InputError(
+          "'Operating matrix/Pressures' acts on nothing: no modulus table has "
+          "the column pressure_Pa, and no load with a 'Pressure' presses a "
+          "contact with 'Contact state = preload'");
       tables.require_band(
         scene, p.eigen.lowest_frequency, p.eigen.highest_frequency);
       return tables.at(scene, reference_frequency(p.eigen));
