@@ -12,6 +12,8 @@ namespace squeal
   {
     constexpr unsigned int few_iterations = 4, many_iterations = 7;
     constexpr double       longer = 1.5, shorter = 0.5;
+    /** How often a step is halved where turns may hide in it. */
+    constexpr unsigned int most_closer = 8;
 
     unsigned int
     changes_of(const Orbit &orbit)
@@ -77,6 +79,39 @@ namespace squeal
       });
     }
 
+    /** Whether real multipliers, without the trivial one, are all further from
+     * 1 than @p distance. */
+    bool
+    are_off_one(const FloquetMultipliers &multipliers, const double distance)
+    {
+      return std::all_of(multipliers.values.begin(),
+                         multipliers.values.end(),
+                         [&](const std::complex<double> m) {
+                           return m == multipliers.trivial || m.imag() != 0. ||
+                                  std::abs(m.real() - 1.) > distance;
+                         });
+    }
+
+    /** Whether a multiplier passes 1 from @p a to @p b, the points beyond @p
+     * before, while the parameter goes on the same way: with a fold it would
+     * turn back between them, and turns again. */
+    bool
+    passes_one_unturned(const BranchPoint &before,
+                        const BranchPoint &a,
+                        const BranchPoint &b)
+    {
+      // Near a fold two multipliers are about 1: which of them is the trivial
+      // one, which misses 1 by as much as it is uncertain, is not sure.
+      double uncertain = 0.;
+      for (const BranchPoint *point : {&before, &a, &b})
+        uncertain = std::max(uncertain, point->multipliers.uncertainty());
+      return (a.parameter - before.parameter) * (b.parameter - a.parameter) >
+               0. &&
+             is_odd_beyond(a.multipliers) != is_odd_beyond(b.multipliers) &&
+             are_off_one(a.multipliers, 4. * uncertain) &&
+             are_off_one(b.multipliers, 4. * uncertain);
+    }
+
     void
     mark_folds(std::vector<BranchPoint> &points)
     {
@@ -88,6 +123,11 @@ namespace squeal
             0.;
           points[i].is_fold = points[i].turns_back && passes_one(points, i);
         }
+      // A turn at one of the two is what the multiplier has passed 1 at.
+      for (std::size_t i = 1; i + 1 < points.size(); ++i)
+        points[i].hides_folds =
+          passes_one_unturned(points[i - 1], points[i], points[i + 1]) &&
+          !points[i + 1].turns_back;
     }
   } // namespace
 
@@ -197,15 +237,15 @@ namespace squeal
 
 
 
-  /** @p point, or the motion at the end of the range that it has left. */
-  BranchPoint
+  /** @p point, or the motion at the end of the range that it has left; none
+   * where that is not found from there. */
+  std::optional<BranchPoint>
   BranchRun::within_range(BranchPoint point) const
   {
     const double end =
       std::clamp(point.parameter, settings.lower, settings.upper);
     if (end != point.parameter)
-      if (auto at_end = point_at(point, end))
-        return std::move(*at_end);
+      return point_at(point, end);
     return point;
   }
 
@@ -238,6 +278,7 @@ namespace squeal
     const BranchPoint &last   = side.points.back(),
                       &before = side.points[side.points.size() - 2];
     const double way          = branch_distance(maps, before, last, settings);
+    unsigned int n_closer     = 0;
     for (double step =
            std::min(side.steps.back() > 0. ? side.steps.back() : way,
                     settings.largest_step);
@@ -250,11 +291,18 @@ namespace squeal
           if (side.turns)
             continue;
           const unsigned int iterations = next->motion.iterations;
+          auto               point      = within_range(point_of(
+            *maps(next->parameter), std::move(next->motion), next->parameter));
+          const bool         is_hidden  = point &&
+                                 passes_one_unturned(before, last, *point) &&
+                                 shorter * step >= settings.smallest_step &&
+                                 n_closer++ < most_closer;
+          if (!point || is_hidden)
+            continue;
           side.steps.push_back(iterations <= few_iterations    ? longer * step
                                : iterations >= many_iterations ? shorter * step
                                                                : step);
-          return within_range(point_of(
-            *maps(next->parameter), std::move(next->motion), next->parameter));
+          return point;
         }
     return {};
   }

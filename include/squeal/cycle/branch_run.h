@@ -65,7 +65,7 @@ namespace squeal
                                          const double       sign) const;
     std::optional<BranchPoint> point_at(const BranchPoint &start,
                                         const double       parameter) const;
-    BranchPoint                within_range(BranchPoint point) const;
+    std::optional<BranchPoint> within_range(BranchPoint point) const;
     /** A step beyond the last point of @p side, whose members say where it
      * goes no further; sets the length of the next step. */
     std::optional<BranchPoint> step_along(Side &side) const;

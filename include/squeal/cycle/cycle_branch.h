@@ -55,6 +55,9 @@ namespace squeal
     /** The parameter turns back here: it is an extremum of the points. At a
      * fold a multiplier passes 1 as well. */
     bool turns_back = false, is_fold = false;
+    /** A multiplier passes 1 between this point and the next one while the
+     * parameter goes on the same way: there may be two folds between them. */
+    bool hides_folds = false;
     /** Changes of status of all nodes in a period. */
     unsigned int n_changes = 0;
     /** Largest angle, rad, between the friction forces of a slipping node after

@@ -2,6 +2,7 @@
 #include <squeal/analyses/limit_cycle/branch_output.h>
 #include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/parameters/entry_traits.h>
+#include <squeal/parameters/text.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/html_report.h>
 #include <squeal/run/run_context.h>
@@ -174,6 +175,26 @@ namespace squeal
                       : "") +
            "; ends: " + branch_end_text(branch.first_end) + ", " +
            branch_end_text(branch.last_end);
+  }
+
+
+
+  std::string
+  text_of_hidden_folds(const CycleBranch &branch, const std::string &parameter)
+  {
+    std::vector<std::string> places;
+    for (std::size_t i = 0; i + 1 < branch.points.size(); ++i)
+      if (branch.points[i].hides_folds)
+        places.push_back(rounded_text(branch.points[i].parameter, 7) + " to " +
+                         rounded_text(branch.points[i + 1].parameter, 7));
+    return places.empty()
+             ? ""
+             : "a multiplier passes 1 from " + parameter + " = " +
+                 prm::join(places, ", ") +
+                 ", where the branch goes on the same way: it may turn back "
+                 "and "
+                 "forth between these points, with two stable cycles beside "
+                 "each other";
   }
 
 

@@ -193,6 +193,9 @@ namespace squeal
           context.write_table("branch.csv", along);
           context.log.info(branch_sentence(*branch, name));
           warn_of_moments(context.log, *branch);
+          if (const auto hidden = text_of_hidden_folds(*branch, name);
+              !hidden.empty())
+            context.log.warning(hidden);
           report.section("Branch");
           if (p.output.plots && context.is_root)
             draw_branch(context, *branch, p.sweep.axes.front(), report);

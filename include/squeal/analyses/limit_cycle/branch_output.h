@@ -21,6 +21,10 @@ namespace squeal
   std::string branch_sentence(const CycleBranch &branch,
                               const std::string &parameter);
 
+  /** Where two folds may lie between neighbouring points; empty: nowhere. */
+  std::string text_of_hidden_folds(const CycleBranch &branch,
+                                   const std::string &parameter);
+
   /** Amplitude, frequency and largest multiplier over @p axis. */
   void draw_branch(RunContext                &context,
                    const CycleBranch         &branch,

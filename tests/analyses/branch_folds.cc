@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Branches of limit cycles of two masses that each rest on a contact point: two
+// folds closer together than the steps along the branch are found, and a branch
+// that leaves its range ends on the range's end. Argument: the program.
+
+#include <squeal/results/table.h>
+
+#include "program.h"
+#include "worst.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace squeal;
+using namespace squeal::testing;
+
+namespace
+{
+  /** Three unknowns a point: two masses on springs that couple them, and below
+   * each its point of contact, almost without mass. */
+  void
+  write_model()
+  {
+    write_text("M.mtx", R"(%%MatrixMarket matrix coordinate real symmetric
+12 12 12
+1 1 0.10000000000000001
+2 2 0.10000000000000001
+3 3 0.10000000000000001
+4 4 0.14000000000000001
+5 5 0.14000000000000001
+6 6 0.14000000000000001
+7 7 1.0000000000000001e-05
+8 8 1.0000000000000001e-05
+9 9 1.0000000000000001e-05
+10 10 1.0000000000000001e-05
+11 11 1.0000000000000001e-05
+12 12 1.0000000000000001e-05
+)");
+    write_text("K.mtx", R"(%%MatrixMarket matrix coordinate real symmetric
+12 12 26
+1 1 6500000
+2 1 200000
+2 2 7300000
+3 1 100000
+3 2 -1100000
+3 3 5000000
+4 1 -500000
+4 4 7100000
+5 2 -400000
+5 4 100000
+5 5 8900000
+6 3 -600000
+6 5 -100000
+6 6 6200000
+7 1 -3000000
+7 7 3000000
+8 2 -2500000
+8 8 2500000
+9 3 -2200000
+9 9 2200000
+10 4 -3000000
+10 10 3000000
+11 5 -3500000
+11 11 3500000
+12 6 -2000000
+12 12 2000000
+)");
+    write_text("nodes.csv", R"(dof,node,component,x,y,z,body,load_press
+1,1,1,0,0,0.01,pad,0
+2,1,2,0,0,0.01,pad,0
+3,1,3,0,0,0.01,pad,-60
+4,2,1,0.02,0.03,0.01,pad,0
+5,2,2,0.02,0.03,0.01,pad,0
+6,2,3,0.02,0.03,0.01,pad,-90
+7,3,1,0,0,0,pad,0
+8,3,2,0,0,0,pad,0
+9,3,3,0,0,0,pad,0
+10,4,1,0.02,0.03,0,pad,0
+11,4,2,0.02,0.03,0,pad,0
+12,4,3,0.02,0.03,0,pad,0
+)");
+    write_text("contact.csv",
+               R"(contact,pair,side,direction,node,component,weight,x,y,z,area
+c,1,source,normal,3,3,1,0,0,0,1e-4
+c,1,source,sliding,3,2,1,0,0,0,1e-4
+c,1,source,transverse,3,1,1,0,0,0,1e-4
+c,2,source,normal,4,3,1,0.02,0.03,0,1e-4
+c,2,source,sliding,4,2,1,0.02,0.03,0,1e-4
+c,2,source,transverse,4,1,1,0.02,0.03,0,1e-4
+)");
+    write_text("model.prm", R"(set Analysis = limit cycle
+set Output directory = out
+set Overwrite = true
+subsection Scene
+  set Kind = matrices
+  set Matrix parts = mass, stiffness
+  set Contacts = c
+  set Loads = press
+  set Contact pattern file = contact.csv
+  set Node table file = nodes.csv
+  subsection Matrix part mass
+    set File = M.mtx
+    set Role = mass
+  end
+  subsection Matrix part stiffness
+    set File = K.mtx
+    set Role = stiffness
+  end
+  subsection Load press
+    set Ramp time = 0
+  end
+  subsection Contact c
+    set Source body = pad
+    set Formulation = mortar
+    set Contact state = preload
+    set Friction coefficient = 0.5
+    set Transverse slip term = true
+    set Sliding speed = 0.2
+    set Normal force = 100
+  end
+  subsection Damping
+    set Model = whole model
+    set Mass damping = 20
+    set Stiffness damping = 1e-7
+  end
+end
+subsection Eigenvalues
+  set Highest frequency = 3000
+end
+subsection Transient
+  set Cut-off   = 20e3
+  set Time step = 2e-6
+end
+subsection Limit cycle
+  set Run time         = 0.3
+  set Steps per period = 512
+end
+subsection Output
+  set Plots  = false
+  set Report = false
+end
+)");
+  }
+
+  Outcome
+  run(const std::string &program, const std::string &axis)
+  {
+    write_text("branch.prm",
+               "include model.prm\nsubsection Sweep\n  set Axes = a\n"
+               "  subsection Axis a\n    " +
+                 axis + "\n  end\nend\n");
+    const Outcome o = run_program({program, "branch.prm"});
+    check(o.code == 0, "the branch runs: " + o.errors);
+    return o;
+  }
+
+  void
+  hidden_folds(const std::string &program)
+  {
+    const Outcome o =
+      run(program,
+          "set Entries = Scene/Contact c/Friction coefficient\n    set From = "
+          "0.01\n    set To = 0.52\n    set Number = 80");
+    check(unbroken(o.output).find(" 2 folds") != std::string::npos &&
+            unbroken(o.output).find("multiplier passes 1") == std::string::npos,
+          "both folds are found");
+    const Table         t = read_csv("out/branch.csv");
+    std::vector<double> at;
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      if (t.real(i, "is_fold") > 0.)
+        at.push_back(t.real(i, "parameter"));
+    // Long motions from small and from large starts differ at 0.2347.
+    check(at.size() == 2 && at[0] > .2347 && at[1] < .2347 && at[1] > .23 &&
+            at[0] < .24,
+          "the branch goes back between them");
+  }
+
+  void
+  end_of_range(const std::string &program)
+  {
+    run(program,
+        "set Entries = Scene/Matrix part stiffness/Factor\n    set From = "
+        "0.7\n    set To = 1.5\n    set Number = 12");
+    const Table t = read_csv("out/branch.csv");
+    Worst       off;
+    off.add(std::abs(t.real(0, "parameter") - .7));
+    off.add(std::abs(t.real(t.n_rows() - 1, "parameter") - 1.5));
+    check(t.n_rows() > 5 && off.largest() < 1e-12,
+          "a branch over the stiffness ends on both ends of its range");
+  }
+} // namespace
+
+int
+main(int, char **arguments)
+{
+  write_model();
+  hidden_folds(arguments[1]);
+  end_of_range(arguments[1]);
+}
