@@ -2,6 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/cycle/cycle_search.h>
+#include <squeal/cycle/period_equations.h>
 #include <squeal/transient/modal_step.h>
 
 #include <algorithm>
@@ -38,17 +39,6 @@ namespace squeal
     constexpr double decays_of_settling = 5.;
     /** Room for that of the period while it is sought. */
     constexpr double growth_of_period = 1.1;
-    MotionState
-    state_of_pair(const SteadySliding    &steady,
-                  const LinearizedMotion &linear,
-                  const Eigen::Index      k,
-                  const double            amplitude)
-    {
-      const Eigen::Index    n = steady.coordinates.size();
-      const Eigen::VectorXd x = amplitude * linear.right.col(k).real();
-      return {steady.coordinates + x.head(n), x.segment(n, n), steady.forces};
-    }
-
     /** @p n steps of @p period, or as many more as are stable when @p factor of
      * them are one. */
     unsigned int
@@ -352,6 +342,19 @@ namespace squeal
         throw ComputationError("no node is closed in steady sliding");
     }
   } // namespace
+
+
+
+  MotionState
+  state_of_pair(const SteadySliding    &steady,
+                const LinearizedMotion &linear,
+                const Eigen::Index      k,
+                const double            amplitude)
+  {
+    const Eigen::Index    n = steady.coordinates.size();
+    const Eigen::VectorXd x = amplitude * linear.right.col(k).real();
+    return {steady.coordinates + x.head(n), x.segment(n, n), steady.forces};
+  }
 
 
 

@@ -59,7 +59,8 @@ namespace squeal
         "above 1, at every point that has a limit "
         "cycle which can be heard, to see whether they end in it, and "
         "one more from the cycle itself, to see whether it stays: "
-        "starts.csv. The first start from the growing pairs, the "
+        "starts.csv. The first start from what a small disturbance grows to "
+        "and from the growing pairs, the "
         "others from impulses at points of all bodies.");
       schema.add("Steps per period",
                  l.steps,

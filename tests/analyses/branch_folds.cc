@@ -2,7 +2,8 @@
 
 // Branches of limit cycles of two masses that each rest on a contact point: two
 // folds closer together than the steps along the branch are found, and a branch
-// that leaves its range ends on the range's end. Argument: the program.
+// that leaves its range ends on the range's end. A campaign says where small
+// disturbances end in another cycle than large ones. Argument: the program.
 
 #include <squeal/results/table.h>
 
@@ -189,6 +190,35 @@ end
     check(t.n_rows() > 5 && off.largest() < 1e-12,
           "a branch over the stiffness ends on both ends of its range");
   }
+
+  /** With a larger friction the runs from the growing pairs, which begin where
+   * half of the nodes open, end in one cycle, and steady sliding in another, as
+   * long transients from small disturbances do. */
+  void
+  growth_to_another_cycle(const std::string &program)
+  {
+    write_text(
+      "small.prm",
+      "include model.prm\nsubsection Scene\n  subsection Contact c\n"
+      "    set Friction coefficient = 0.7\n  end\nend\n"
+      "subsection Limit cycle\n  set Campaign = true\n"
+      "  set Starts = 1\nend\nsubsection Sweep\n  set Axes = a\n"
+      "  subsection Axis a\n    set Entries = Scene/Contact c/Sliding "
+      "speed\n    set Scale = list\n    set Values = 0.2\n  end\nend\n");
+    const Outcome o = run_program({program, "small.prm"});
+    check(o.code == 0, "the campaign runs: " + o.errors);
+    const Table points = read_csv("out/campaign.csv"),
+                starts = read_csv("out/starts.csv");
+    check(points.text(0, "outcome") == "stable limit cycle" &&
+            points.text(0, "growth_ends_in_cycle") == "no" &&
+            unbroken(o.output).find("small disturbances of steady sliding grow "
+                                    "to another motion") != std::string::npos,
+          "small disturbances do not end in the cycle");
+    check_close(
+      points.real(0, "rms_normal_n"), 948., .01, "the cycle of large starts");
+    check_close(
+      starts.real(0, "rms_normal_n"), 30., .02, "the motion of small ones");
+  }
 } // namespace
 
 int
@@ -197,4 +227,5 @@ main(int, char **arguments)
   write_model();
   hidden_folds(arguments[1]);
   end_of_range(arguments[1]);
+  growth_to_another_cycle(arguments[1]);
 }

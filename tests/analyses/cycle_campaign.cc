@@ -279,7 +279,7 @@ end
   campaign(const std::string &folder)
   {
     return limit_cycle(folder, ramp + search + R"(true
-  set Starts             = 3
+  set Starts             = 4
 end
 subsection Sweep
   set Axes = mu

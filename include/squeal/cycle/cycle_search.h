@@ -71,6 +71,13 @@ namespace squeal
     const ForceFigures &coarse_forces() const;
   };
 
+  /** Steady sliding and pair @p k of @p linear beside it, at @p amplitude,
+   * sqrt(J), and phase 0, with the contact forces of steady sliding. */
+  MotionState state_of_pair(const SteadySliding    &steady,
+                            const LinearizedMotion &linear,
+                            const Eigen::Index      k,
+                            const double            amplitude);
+
   /** Amplitudes of pair @p k of @p linear, sqrt(J), at which the closed nodes one
    * after the other open or stick if the motion stays linear, ascending, of
    * every pair of contacts of @p map: a period of @p n_steps exact steps at a

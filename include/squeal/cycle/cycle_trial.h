@@ -12,6 +12,7 @@ namespace squeal
   struct MotionTrial
   {
     std::string start;              /**< in words */
+    bool        is_growth  = false; /**< of a small disturbance, see there */
     bool        ends_in    = false; /**< the cycle, by CycleTrials::follow() */
     bool        has_failed = false; /**< a step of it had no solution */
     /** It was still on its way to the cycle when its time was over, so that

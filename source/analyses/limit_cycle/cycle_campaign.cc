@@ -96,6 +96,7 @@ namespace squeal
         Timers::Section   section(context.timers, "Solve: other starts");
         const PointTrials trials = trials_of(*about,
                                              period_map_of(*about),
+                                             linear,
                                              cycles,
                                              p.limit_cycle,
                                              p.transient.time_step);
@@ -259,6 +260,25 @@ namespace squeal
           "campaign.csv): raise 'Limit cycle/Steps per period'");
     }
 
+    /** Warns where a brake that slides steadily does not come to the cycle that
+     * is heard by itself. */
+    void
+    warn_of_other_growth(const Table &points, RunLog &log)
+    {
+      if (!points.has_column("growth_ends_in_cycle"))
+        return;
+      std::size_t n = 0;
+      for (std::size_t i = 0; i < points.n_rows(); ++i)
+        n += points.text(i, "growth_ends_in_cycle") == "no";
+      if (n > 0)
+        log.warning(
+          "at " + std::to_string(n) + " of " + std::to_string(points.n_rows()) +
+          " points small disturbances of steady sliding grow to another motion "
+          "than the cycle ('growth_ends_in_cycle' = no in campaign.csv, "
+          "'growth of the pair' in starts.csv), which larger starts lead to: "
+          "a 'Limit cycle/Start amplitude' below 1 may find that motion");
+    }
+
     /** Warns where motions had not yet come to the cycle that they approach. */
     void
     warn_of_undecided_motions(const Table &points, RunLog &log)
@@ -370,6 +390,7 @@ namespace squeal
     context.log.heading("Campaign of limit cycles");
     context.log.info(text.str());
     warn_of_cycles_left(tables.points, context.log);
+    warn_of_other_growth(tables.points, context.log);
     warn_of_undecided_motions(tables.points, context.log);
     warn_of_points_without_cycle(tables.points, context.log);
     context.record.figures = {

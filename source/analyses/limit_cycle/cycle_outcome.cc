@@ -214,6 +214,20 @@ namespace squeal
                      "whether a motion that starts on that cycle stays there"},
                     [](const Trials &t) {
                       return std::string(t.back().ends_in ? "yes" : "no");
+                    }),
+              where({"growth_ends_in_cycle",
+                     Type::text,
+                     "",
+                     "whether what small disturbances of steady sliding grow "
+                     "to ends in that cycle"},
+                    [](const Trials &t) {
+                      const MotionTrial &growth = t.front();
+                      return std::string(!growth.is_growth ||
+                                             growth.has_failed ||
+                                             growth.is_undecided
+                                           ? "not known"
+                                         : growth.ends_in ? "yes"
+                                                          : "no");
                     })};
     }
 

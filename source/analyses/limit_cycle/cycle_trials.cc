@@ -9,6 +9,7 @@
 #include <squeal/results/column_of.h>
 #include <squeal/transient/modal_step.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace squeal
@@ -19,6 +20,8 @@ namespace squeal
 
     /** A motion may go on for so many times the run before. */
     constexpr double longest_over_run = 2.;
+    /** A small one may grow for so many times that beforehand. */
+    constexpr double longest_growth = 10.;
 
     /** 1, 4, 1/4, 16, 1/16 ... */
     double
@@ -115,15 +118,48 @@ namespace squeal
       return least < 0 ? std::vector<int>() : std::vector<int>{least};
     }
 
-    /** Without the one from the cycle itself. */
+    /** What small disturbances of steady sliding grow to: the pair that grows
+     * fastest, from the amplitude at which the first node changes its status.
+     * It may take as long as it needs from there to where the runs begin. */
+    struct SmallMotion
+    {
+      std::string name;
+      MotionState state;
+      double      growth = 0.; /**< s */
+    };
+
+    SmallMotion
+    small_motion(const SteadySliding            &steady,
+                 const LinearizedMotion         &linear,
+                 const std::vector<CycleResult> &cycles,
+                 const LimitCycleParameters     &settings)
+    {
+      const CycleResult &fastest =
+        *std::max_element(cycles.begin(),
+                          cycles.end(),
+                          [](const CycleResult &a, const CycleResult &b) {
+                            return a.pair.real() < b.pair.real();
+                          });
+      const Eigen::Index k =
+        std::find(linear.lambda.begin(), linear.lambda.end(), fastest.pair) -
+        linear.lambda.begin();
+      const double ratio =
+        settings.start * fastest.half_change / fastest.first_change;
+      return {"growth of the pair at " +
+                rounded_text(fastest.pair.imag() / (2. * M_PI), 5) + " Hz",
+              state_of_pair(steady, linear, k, fastest.first_change),
+              std::max(std::log(ratio), 0.) / fastest.pair.real()};
+    }
+
+    /** Without the small one and the one from the cycle itself. */
     std::vector<MotionTrial>
     from_other_starts(const SteadyModel              &about,
                       const CycleTrials              &beside,
                       const std::vector<CycleResult> &cycles,
                       const CycleResult              &cycle,
-                      const LimitCycleParameters     &settings)
+                      const LimitCycleParameters     &settings,
+                      std::vector<MotionTrial>        result)
     {
-      std::vector<MotionTrial> result;
       for (const CycleResult &c : cycles)
         if (result.size() < settings.starts && c.run.time > 0.)
           result.push_back(beside.follow(
@@ -149,6 +185,7 @@ namespace squeal
   PointTrials
   trials_of(const SteadyModel              &about,
             const PeriodMap                &map,
+            const LinearizedMotion         &linear,
             const std::vector<CycleResult> &cycles,
             const LimitCycleParameters     &settings,
             const double                    step)
@@ -157,11 +194,12 @@ namespace squeal
     const std::vector<int> candidates = candidates_of(cycles);
     if (settings.starts == 0 || candidates.empty())
       return result;
-    const auto beside = [&](const int cycle) {
+    const double longest = longest_over_run * settings.run_time;
+    const auto   beside  = [&](const int cycle, const double growth = 0.) {
       return CycleTrials(map,
                          cycles[cycle],
                          largest_stable_step(map.reduced_model(), step),
-                         longest_over_run * settings.run_time);
+                         growth + longest);
     };
     MotionTrial from_cycle;
     for (const int k : candidates)
@@ -175,8 +213,20 @@ namespace squeal
         if (next.ends_in)
           break;
       }
-    result.motions = from_other_starts(
-      about, beside(result.cycle), cycles, cycles[result.cycle], settings);
+    const SmallMotion small =
+      small_motion(about.sliding, linear, cycles, settings);
+    if (small.growth <= longest_growth * longest)
+      {
+        result.motions.push_back(beside(result.cycle, small.growth)
+                                   .follow(small.name, {small.state, {}, 0.}));
+        result.motions.back().is_growth = true;
+      }
+    result.motions = from_other_starts(about,
+                                       beside(result.cycle),
+                                       cycles,
+                                       cycles[result.cycle],
+                                       settings,
+                                       std::move(result.motions));
     result.motions.push_back(from_cycle);
     return result;
   }

@@ -56,7 +56,9 @@ namespace squeal
    * the largest stable ones, and one from the cycle itself, beside the cycle of
    * a point that is heard. Where several are left whose stability is open that
    * is the first on which a motion stays, or the first of all; where all are
-   * unstable it is the one of the least multiplier. The first motions go on
+   * unstable it is the one of the least multiplier. The first motion is what a
+   * small disturbance of steady sliding grows to, by the pair of @p linear that
+   * grows fastest, unless that takes too long; the next ones go on
    * from where the runs from the growing pairs have ended, the others start
    * from impulses at points of all bodies of 1, 4, 1/4, 16, 1/16 ... times the
    * energy at which half of the nodes open or stick, in turn to either side.
@@ -64,6 +66,7 @@ namespace squeal
    */
   PointTrials trials_of(const SteadyModel              &about,
                         const PeriodMap                &map,
+                        const LinearizedMotion         &linear,
                         const std::vector<CycleResult> &cycles,
                         const LimitCycleParameters     &settings,
                         const double                    step);
