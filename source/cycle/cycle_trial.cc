@@ -110,9 +110,19 @@ namespace squeal
     const std::size_t last  = rms.size() - 1,
                       apart = std::min(most_parts_apart, last / 2);
     const double expected = cycle.figures.rms_of_pairs()[cycle.figures.loudest];
-    const double first    = rms[last - apart] - rms[last - 2 * apart],
-                 second   = rms[last] - rms[last - apart],
-                 missing  = expected - rms[last];
+    // So near it may settle, or be a motion that winds about the cycle.
+    if (is_near(trial.frequency,
+                1. / shortest_period,
+                1. / shortest_period,
+                wide_line_share,
+                wide_line_share,
+                0.) &&
+        is_near(
+          rms[last], expected, expected, wide_rms_share, wide_rms_share, 0.))
+      return true;
+    const double first   = rms[last - apart] - rms[last - 2 * apart],
+                 second  = rms[last] - rms[last - apart],
+                 missing = expected - rms[last];
     // Less than that is no way to somewhere.
     const bool goes_there = first * missing > 0. && second * missing > 0. &&
                             std::abs(first + second) > least_way * expected;

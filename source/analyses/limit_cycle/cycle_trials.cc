@@ -99,8 +99,9 @@ namespace squeal
          }}};
     }
 
-    /** The cycle that is heard, or those whose stability is open, or the one
-     * whose largest multiplier is least. */
+    /** The cycle that is heard, or those whose stability is open, the one first
+     * whose force the steps leave the least open, or the one whose largest
+     * multiplier is least. */
     std::vector<int>
     candidates_of(const std::vector<CycleResult> &cycles)
     {
@@ -108,7 +109,17 @@ namespace squeal
       if (outcome.heard >= 0)
         return {outcome.heard};
       if (!outcome.open.empty())
-        return outcome.open;
+        {
+          const auto error = [&cycles](const int i) {
+            return cycles[i].rms_normal_error() / cycles[i].figures.rms_normal;
+          };
+          std::vector<int> open = outcome.open;
+          std::stable_sort(
+            open.begin(), open.end(), [&error](const int a, const int b) {
+              return error(a) < error(b);
+            });
+          return open;
+        }
       int least = -1;
       for (int i = 0; i < static_cast<int>(cycles.size()); ++i)
         if (cycles[i].has_converged() &&

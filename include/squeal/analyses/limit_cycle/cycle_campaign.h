@@ -55,7 +55,8 @@ namespace squeal
    * Motions from `Limit cycle/Starts` starts, by plain steps of @p step, s, or
    * the largest stable ones, and one from the cycle itself, beside the cycle of
    * a point that is heard. Where several are left whose stability is open that
-   * is the first on which a motion stays, or the first of all; where all are
+   * is the first on which a motion stays, or the first of all, by the errors of
+   * their rms forces; where all are
    * unstable it is the one of the least multiplier. The first motion is what a
    * small disturbance of steady sliding grows to, by the pair of @p linear that
    * grows fastest, unless that takes too long; the next ones go on
