@@ -266,45 +266,6 @@ namespace squeal
         f.harmonics.push_back(spectrum.line_rms(k * f.frequency, 0.02 / k));
     }
 
-    /** What the cycles that a window of @p time, s, cuts change at most: of the
-     * mean @p mean of values from @p least to @p most that repeat with @p
-     * frequency, Hz. Over a part of a period the values less their mean add up
-     * to the most where they are the largest first and the least then. */
-    double
-    error_of_cut(const double mean,
-                 const double least,
-                 const double most,
-                 const double frequency,
-                 const double time)
-    {
-      return most > least ? (most - mean) * (mean - least) /
-                              ((most - least) * frequency * time)
-                          : 0.;
-    }
-
-    /** Errors of mean and rms of a force that repeats over @p time, s, whose
-     * last period is cut. */
-    void
-    evaluate_cut(const double time, TransientFigures &f)
-    {
-      constexpr double least_repetition = 0.9;
-      if (!f.has_limit_cycle || !(f.frequency > 0.) ||
-          !(f.repetition > least_repetition))
-        return;
-      f.mean_normal_error = error_of_cut(
-        f.mean_normal, f.min_normal, f.max_normal, f.frequency, time);
-      if (f.loudest.is_beside_sums() || !(f.rms_normal > 0.))
-        return;
-      const double farthest =
-        std::max(f.max_normal - f.mean_normal, f.mean_normal - f.min_normal);
-      f.rms_normal_error = error_of_cut(f.rms_normal * f.rms_normal,
-                                        0.,
-                                        farthest * farthest,
-                                        f.frequency,
-                                        time) /
-                           (2. * f.rms_normal);
-    }
-
     /** Whether every motion that the run has decays about steady sliding. */
     bool
     all_decay(const LinearizedMotion &linear, const TransientParameters &t)

@@ -288,6 +288,22 @@ namespace squeal
           result = pair;
       return result;
     }
+
+    /** What the cycles that a window of @p time, s, cuts change at most: of the
+     * mean @p mean of values from @p least to @p most that repeat with @p
+     * frequency, Hz. Over a part of a period the values less their mean add up
+     * to the most where they are the largest first and the least then. */
+    double
+    error_of_cut(const double mean,
+                 const double least,
+                 const double most,
+                 const double frequency,
+                 const double time)
+    {
+      return most > least ? (most - mean) * (mean - least) /
+                              ((most - least) * frequency * time)
+                          : 0.;
+    }
   } // namespace
 
 
@@ -402,6 +418,29 @@ namespace squeal
     f.rms_change_share = share_of_change(v.judged());
     f.least_rms = *std::min_element(v.judged().begin(), v.judged().end());
     f.most_rms  = largest_of(v.judged());
+  }
+
+
+
+  void
+  evaluate_cut(const double time, TransientFigures &f)
+  {
+    constexpr double least_repetition = 0.9;
+    if (!f.has_limit_cycle || !(f.frequency > 0.) ||
+        !(f.repetition > least_repetition))
+      return;
+    f.mean_normal_error = error_of_cut(
+      f.mean_normal, f.min_normal, f.max_normal, f.frequency, time);
+    if (f.loudest.is_beside_sums() || !(f.rms_normal > 0.))
+      return;
+    const double farthest =
+      std::max(f.max_normal - f.mean_normal, f.mean_normal - f.min_normal);
+    f.rms_normal_error = error_of_cut(f.rms_normal * f.rms_normal,
+                                      0.,
+                                      farthest * farthest,
+                                      f.frequency,
+                                      time) /
+                         (2. * f.rms_normal);
   }
 
 

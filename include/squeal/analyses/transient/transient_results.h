@@ -225,6 +225,10 @@ namespace squeal
                                   const TransientParameters &t,
                                   const double               interval);
 
+  /** Errors of mean and rms of the force that is judged over @p time, s, whose
+   * last period is cut: lines and forces are known. */
+  void evaluate_cut(const double time, TransientFigures &f);
+
   /** Fills in what TransientFigures says of the forces over the second half of
    * the run, but for lines and phase. */
   void evaluate_forces(const ContactNodes    &nodes,
