@@ -425,9 +425,8 @@ namespace squeal
   void
   evaluate_cut(const double time, TransientFigures &f)
   {
-    constexpr double least_repetition = 0.9;
     if (!f.has_limit_cycle || !(f.frequency > 0.) ||
-        !(f.repetition > least_repetition))
+        !(f.repetition >= least_repetition))
       return;
     f.mean_normal_error = error_of_cut(
       f.mean_normal, f.min_normal, f.max_normal, f.frequency, time);

@@ -22,7 +22,6 @@ namespace squeal
     std::string
     kind_of_cycle(const TransientFigures &f)
     {
-      constexpr double least_repetition = 0.9;
       return f.beyond_samples > 0. ? "sustained vibration"
              : f.repetition < least_repetition
                ? "sustained vibration without a period"

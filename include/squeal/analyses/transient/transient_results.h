@@ -225,6 +225,9 @@ namespace squeal
                                   const TransientParameters &t,
                                   const double               interval);
 
+  /** Repetition from which on a vibration has a period. */
+  constexpr double least_repetition = 0.9;
+
   /** Errors of mean and rms of the force that is judged over @p time, s, whose
    * last period is cut: lines and forces are known. */
   void evaluate_cut(const double time, TransientFigures &f);
