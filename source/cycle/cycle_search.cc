@@ -318,29 +318,6 @@ namespace squeal
         }
       return share;
     }
-
-    /** Sets the amplitudes of the start. A pair of contacts that does not take
-     * part in the motion has shares of rounding size: the one that changes
-     * first counts. Throws ComputationError where no node moves. */
-    void
-    set_start_amplitudes(const std::vector<std::vector<double>> &of_pairs,
-                         CycleResult                            &result)
-    {
-      bool is_there = false;
-      for (const std::vector<double> &changes : of_pairs)
-        if (!changes.empty())
-          {
-            const double first = changes.front(),
-                         half  = changes[changes.size() / 2];
-            result.first_change =
-              is_there ? std::min(result.first_change, first) : first;
-            result.half_change =
-              is_there ? std::min(result.half_change, half) : half;
-            is_there = true;
-          }
-      if (!is_there)
-        throw ComputationError("no node is closed in steady sliding");
-    }
   } // namespace
 
 
@@ -393,6 +370,39 @@ namespace squeal
 
 
 
+  StartAmplitudes
+  start_amplitudes(const PeriodMap        &map,
+                   const SteadySliding    &steady,
+                   const LinearizedMotion &linear,
+                   const Eigen::Index      k,
+                   const unsigned int      run_steps)
+  {
+    const unsigned int n_steps =
+      stable_steps(map.reduced_model(),
+                   2. * M_PI / linear.lambda[k].imag(),
+                   std::max(run_steps, amplitude_steps),
+                   1);
+    StartAmplitudes result;
+    bool            is_there = false;
+    for (const std::vector<double> &changes :
+         change_amplitudes(map, steady, linear, k, n_steps))
+      if (!changes.empty())
+        {
+          const double first = changes.front(),
+                       half  = changes[changes.size() / 2];
+          result.first_change =
+            is_there ? std::min(result.first_change, first) : first;
+          result.half_change =
+            is_there ? std::min(result.half_change, half) : half;
+          is_there = true;
+        }
+    if (!is_there)
+      throw ComputationError("no node is closed in steady sliding");
+    return result;
+  }
+
+
+
   namespace
   {
     /** find_cycle(); throws ComputationError where that breaks off. */
@@ -407,17 +417,10 @@ namespace squeal
       const double period  = 2. * M_PI / linear.lambda[k].imag();
       result.pair          = linear.lambda[k];
       result.settling_time = settling_time_of(linear);
-      set_start_amplitudes(
-        change_amplitudes(
-          map,
-          steady,
-          linear,
-          k,
-          stable_steps(map.reduced_model(),
-                       period,
-                       std::max(settings.run_steps, amplitude_steps),
-                       1)),
-        result);
+      const StartAmplitudes amplitudes =
+        start_amplitudes(map, steady, linear, k, settings.run_steps);
+      result.first_change = amplitudes.first_change;
+      result.half_change  = amplitudes.half_change;
       MotionState start =
         state_of_pair(steady, linear, k, settings.start * result.half_change);
       if (!(settings.run_time > 0.))

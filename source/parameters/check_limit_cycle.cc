@@ -115,11 +115,13 @@ namespace squeal
     {
       check_periodic_motions(p);
       check_nothing_passes(p);
-      if (p.limit_cycle.starts > 0 && !p.limit_cycle.campaign)
+      if (p.limit_cycle.starts > 0 && !p.limit_cycle.campaign &&
+          !p.sweep.axes.empty())
         refuse_entry("Limit cycle",
                      "Starts",
-                     "must be 0 without 'Campaign', in which motions from "
-                     "other starts are followed");
+                     "must be 0 for a branch over an axis of 'Sweep': motions "
+                     "from other starts are followed at the points of a "
+                     "'Campaign' or beside a single cycle");
       if (!p.limit_cycle.campaign)
         {
           check_branch(p.sweep.axes);

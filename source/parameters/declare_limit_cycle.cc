@@ -37,7 +37,9 @@ namespace squeal
                  Allowed::positive(1e3),
                  "Amplitude of the pair at the start, over the one at which "
                  "half of the closed nodes would open or stick if the motion "
-                 "stayed linear.");
+                 "stayed linear. From a large one the motion may come to "
+                 "another cycle than what a small disturbance grows to: "
+                 "'Starts' tells.");
       schema.add("Run time",
                  l.run_time,
                  Allowed::number(0.),
@@ -54,14 +56,14 @@ namespace squeal
         "Starts",
         l.starts,
         Allowed::integer(0, 100),
-        "With 'Campaign': motions from so many starts are followed for "
+        "Motions from so many starts are followed for "
         "two 'Run time' at most, longer where the multiplier may be "
-        "above 1, at every point that has a limit "
-        "cycle which can be heard, to see whether they end in it, and "
+        "above 1, beside the limit cycle, or with 'Campaign' beside that of "
+        "every point which can be heard, to see whether they end in it, and "
         "one more from the cycle itself, to see whether it stays: "
-        "starts.csv. The first start from what a small disturbance grows to "
-        "and from the growing pairs, the "
-        "others from impulses at points of all bodies.");
+        "starts.csv. The first is what a small disturbance of steady sliding "
+        "grows to, the next go on from the runs of the growing pairs, the "
+        "others begin with impulses at points of all bodies.");
       schema.add("Steps per period",
                  l.steps,
                  Allowed::integer(32, 8192),

@@ -219,6 +219,37 @@ end
     check_close(
       starts.real(0, "rms_normal_n"), 30., .02, "the motion of small ones");
   }
+
+  /** A single cycle says so as well, and one from a small start that it is what
+   * the brake comes to by itself. */
+  void
+  growth_beside_one_cycle(const std::string &program)
+  {
+    const auto single = [&](const std::string &more) {
+      write_text("single.prm",
+                 "include model.prm\nsubsection Scene\n  subsection Contact c\n"
+                 "    set Friction coefficient = 0.7\n  end\nend\n"
+                 "subsection Limit cycle\n" +
+                   more + "end\n");
+      const Outcome o = run_program({program, "single.prm"});
+      check(o.code == 0, "the limit cycle is found: " + o.errors);
+      return unbroken(o.output + o.errors);
+    };
+    const auto says = [](const std::string &text, const std::string &what) {
+      check(text.find(what) != std::string::npos, what + " in " + text);
+    };
+    says(single(""), "not followed: 'Limit cycle/Starts = 1'");
+    says(single("  set Starts = 1\n"),
+         "the brake does not come to this cycle by itself");
+    check(read_csv("out/starts.csv").text(0, "ends_in_cycle") == "no",
+          "the motion has a row");
+    says(single("  set Starts = 1\n  set Start amplitude = 0.3\n"),
+         "grow to this cycle");
+    check_close(read_csv("out/limit_cycle.csv").real(0, "rms_normal_n"),
+                30.,
+                .02,
+                "the cycle of small starts");
+  }
 } // namespace
 
 int
@@ -228,4 +259,5 @@ main(int, char **arguments)
   hidden_folds(arguments[1]);
   end_of_range(arguments[1]);
   growth_to_another_cycle(arguments[1]);
+  growth_beside_one_cycle(arguments[1]);
 }

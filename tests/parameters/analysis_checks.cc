@@ -258,7 +258,6 @@ namespace
            {"'Transient/Integrator'", "must be reduced"});
     refuse("Limit cycle/Steps per period = 8",
            {"'Limit cycle/Steps per period' = '8'", "from 32 to"});
-    refuse("Limit cycle/Starts = 3", {"'Limit cycle/Starts'", "'Campaign'"});
     refuse("Scene/Contact pad_disc/Contact state = stick",
            {"'Scene/Contact pad_disc/Contact state' = stick", "full"});
     refuse("Transient/Friction impulse = 0.3",
@@ -292,6 +291,11 @@ namespace
     check_change_refused(branch("Scene/Contact pad_disc/Sliding speed", "0"),
                          {"'Sweep/Axis mu/From'", "direction of sliding"});
     check_change_refused(branch(mu, "0.7"), {"'Sweep/Axis mu/From'", "below"});
+    auto with_starts = branch(mu, "0.1");
+    with_starts.push_back("Limit cycle/Starts = 3");
+    check_change_refused(with_starts,
+                         {"'Limit cycle/Starts'", "'Campaign'"});
+    refuse("Limit cycle/Starts = 101", {"'Limit cycle/Starts'", "100"});
   }
 
 

@@ -90,6 +90,23 @@ namespace squeal
     const Eigen::Index      k,
     const unsigned int      n_steps);
 
+  /** Amplitudes at which a motion of pair @p k would leave the linear one,
+   * sqrt(J): the first closed node opens or sticks, and half of those of the
+   * pair of contacts that does so first. A pair of contacts that does not take
+   * part in the motion has shares of rounding size. */
+  struct StartAmplitudes
+  {
+    double first_change = 0., half_change = 0.;
+  };
+
+  /** Of change_amplitudes() over a period of at least @p run_steps steps. Throws
+   * ComputationError where no node moves. */
+  StartAmplitudes start_amplitudes(const PeriodMap        &map,
+                                   const SteadySliding    &steady,
+                                   const LinearizedMotion &linear,
+                                   const Eigen::Index      k,
+                                   const unsigned int      run_steps);
+
   /**
    * The periodic motion near @p start, by shooting with half the steps of @p
    * settings and with all of them: the first that converges from the guesses @p

@@ -97,7 +97,9 @@ namespace squeal
         const PointTrials trials = trials_of(*about,
                                              period_map_of(*about),
                                              linear,
+                                             growing.empty() ? 0 : growing[0],
                                              cycles,
+                                             candidates_of(cycles),
                                              p.limit_cycle,
                                              p.transient.time_step);
         return {outcome_table(cycles, trials, pairs, growth_outside(linear, p)),

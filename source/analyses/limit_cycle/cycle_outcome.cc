@@ -220,15 +220,7 @@ namespace squeal
                      "",
                      "whether what small disturbances of steady sliding grow "
                      "to ends in that cycle"},
-                    [](const Trials &t) {
-                      const MotionTrial &growth = t.front();
-                      return std::string(!growth.is_growth ||
-                                             growth.has_failed ||
-                                             growth.is_undecided
-                                           ? "not known"
-                                         : growth.ends_in ? "yes"
-                                                          : "no");
-                    })};
+                    growth_ends_in_cycle)};
     }
 
     std::vector<PointColumn>

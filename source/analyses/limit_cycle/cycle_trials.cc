@@ -4,6 +4,8 @@
 
 #include <squeal/analyses/limit_cycle/cycle_campaign.h>
 #include <squeal/analyses/limit_cycle/cycle_columns.h>
+#include <squeal/analyses/limit_cycle/cycle_trials.h>
+#include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/output/judged_force.h>
 #include <squeal/results/column_of.h>
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace squeal
 {
@@ -99,36 +102,6 @@ namespace squeal
          }}};
     }
 
-    /** The cycle that is heard, or those whose stability is open, the one first
-     * whose force the steps leave the least open, or the one whose largest
-     * multiplier is least. */
-    std::vector<int>
-    candidates_of(const std::vector<CycleResult> &cycles)
-    {
-      const CycleOutcome outcome = outcome_of(cycles);
-      if (outcome.heard >= 0)
-        return {outcome.heard};
-      if (!outcome.open.empty())
-        {
-          const auto error = [&cycles](const int i) {
-            return cycles[i].rms_normal_error() / cycles[i].figures.rms_normal;
-          };
-          std::vector<int> open = outcome.open;
-          std::stable_sort(
-            open.begin(), open.end(), [&error](const int a, const int b) {
-              return error(a) < error(b);
-            });
-          return open;
-        }
-      int least = -1;
-      for (int i = 0; i < static_cast<int>(cycles.size()); ++i)
-        if (cycles[i].has_converged() &&
-            (least < 0 ||
-             cycles[i].multipliers.largest < cycles[least].multipliers.largest))
-          least = i;
-      return least < 0 ? std::vector<int>() : std::vector<int>{least};
-    }
-
     /** What small disturbances of steady sliding grow to: the pair that grows
      * fastest, from the amplitude at which the first node changes its status.
      * It may take as long as it needs from there to where the runs begin. */
@@ -139,27 +112,35 @@ namespace squeal
       double      growth = 0.; /**< s */
     };
 
-    SmallMotion
-    small_motion(const SteadySliding            &steady,
-                 const LinearizedMotion         &linear,
-                 const std::vector<CycleResult> &cycles,
-                 const LimitCycleParameters     &settings)
+    /** Nothing where it takes too long, or where no node moves. */
+    std::optional<SmallMotion>
+    small_motion(const SteadySliding        &steady,
+                 const PeriodMap            &map,
+                 const LinearizedMotion     &linear,
+                 const Eigen::Index          fastest,
+                 const LimitCycleParameters &settings,
+                 const double                longest)
     {
-      const CycleResult &fastest =
-        *std::max_element(cycles.begin(),
-                          cycles.end(),
-                          [](const CycleResult &a, const CycleResult &b) {
-                            return a.pair.real() < b.pair.real();
-                          });
-      const Eigen::Index k =
-        std::find(linear.lambda.begin(), linear.lambda.end(), fastest.pair) -
-        linear.lambda.begin();
-      const double ratio =
-        settings.start * fastest.half_change / fastest.first_change;
-      return {"growth of the pair at " +
-                rounded_text(fastest.pair.imag() / (2. * M_PI), 5) + " Hz",
-              state_of_pair(steady, linear, k, fastest.first_change),
-              std::max(std::log(ratio), 0.) / fastest.pair.real()};
+      try
+        {
+          const StartAmplitudes amplitudes =
+            start_amplitudes(map, steady, linear, fastest, settings.run_steps);
+          const std::complex<double> lambda = linear.lambda[fastest];
+          const double               ratio =
+            settings.start * amplitudes.half_change / amplitudes.first_change;
+          const double growth = std::max(std::log(ratio), 0.) / lambda.real();
+          if (!(growth <= longest))
+            return {};
+          return SmallMotion{
+            "growth of the pair at " +
+              rounded_text(lambda.imag() / (2. * M_PI), 5) + " Hz",
+            state_of_pair(steady, linear, fastest, amplitudes.first_change),
+            growth};
+        }
+      catch (const ComputationError &)
+        {
+          return {};
+        }
     }
 
     /** Without the small one and the one from the cycle itself. */
@@ -193,16 +174,46 @@ namespace squeal
 
 
 
+  std::vector<int>
+  candidates_of(const std::vector<CycleResult> &cycles)
+  {
+    const CycleOutcome outcome = outcome_of(cycles);
+    if (outcome.heard >= 0)
+      return {outcome.heard};
+    if (!outcome.open.empty())
+      {
+        const auto error = [&cycles](const int i) {
+          return cycles[i].rms_normal_error() / cycles[i].figures.rms_normal;
+        };
+        std::vector<int> open = outcome.open;
+        std::stable_sort(
+          open.begin(), open.end(), [&error](const int a, const int b) {
+            return error(a) < error(b);
+          });
+        return open;
+      }
+    int least = -1;
+    for (int i = 0; i < static_cast<int>(cycles.size()); ++i)
+      if (cycles[i].has_converged() &&
+          (least < 0 ||
+           cycles[i].multipliers.largest < cycles[least].multipliers.largest))
+        least = i;
+    return least < 0 ? std::vector<int>() : std::vector<int>{least};
+  }
+
+
+
   PointTrials
   trials_of(const SteadyModel              &about,
             const PeriodMap                &map,
             const LinearizedMotion         &linear,
+            const Eigen::Index              fastest,
             const std::vector<CycleResult> &cycles,
+            const std::vector<int>         &candidates,
             const LimitCycleParameters     &settings,
             const double                    step)
   {
-    PointTrials            result;
-    const std::vector<int> candidates = candidates_of(cycles);
+    PointTrials result;
     if (settings.starts == 0 || candidates.empty())
       return result;
     const double longest = longest_over_run * settings.run_time;
@@ -224,12 +235,16 @@ namespace squeal
         if (next.ends_in)
           break;
       }
-    const SmallMotion small =
-      small_motion(about.sliding, linear, cycles, settings);
-    if (small.growth <= longest_growth * longest)
+    if (const auto small = small_motion(about.sliding,
+                                        map,
+                                        linear,
+                                        fastest,
+                                        settings,
+                                        longest_growth * longest))
       {
-        result.motions.push_back(beside(result.cycle, small.growth)
-                                   .follow(small.name, {small.state, {}, 0.}));
+        result.motions.push_back(
+          beside(result.cycle, small->growth)
+            .follow(small->name, {small->state, {}, 0.}));
         result.motions.back().is_growth = true;
       }
     result.motions = from_other_starts(about,
@@ -240,6 +255,15 @@ namespace squeal
                                        std::move(result.motions));
     result.motions.push_back(from_cycle);
     return result;
+  }
+
+  std::string
+  growth_ends_in_cycle(const std::vector<MotionTrial> &motions)
+  {
+    const MotionTrial &growth = motions.front();
+    if (!growth.is_growth || growth.has_failed || growth.is_undecided)
+      return "not known";
+    return growth.ends_in ? "yes" : "no";
   }
 
   Table

@@ -3,6 +3,7 @@
 #include <squeal/analyses/limit_cycle/cycle_campaign.h>
 #include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/analyses/limit_cycle/cycle_motion.h>
+#include <squeal/analyses/limit_cycle/cycle_trials.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 
@@ -89,16 +90,76 @@ namespace squeal
                     "branch.csv");
     }
 
+    /** What the brake comes to by itself, in words. */
+    std::string
+    text_of_growth(const PointTrials &trials)
+    {
+      if (trials.motions.empty())
+        return "not followed: 'Limit cycle/Starts = 1' tells whether they grow "
+               "to this cycle";
+      const MotionTrial &growth = trials.motions.front();
+      const std::string  ends   = growth_ends_in_cycle(trials.motions);
+      if (ends == "yes")
+        return "grow to this cycle";
+      if (ends == "not known")
+        return "where they grow to is not known: raise 'Limit cycle/Run time'";
+      return "grow to another motion, of " +
+             rounded_text(growth.figures.rms_normal, 3) + " N rms with " +
+             rounded_text(growth.figures.line, 5) + " Hz";
+    }
+
+    /** "3 of 4 end in it"; without the one from the cycle. */
+    std::string
+    text_of_starts(const std::vector<MotionTrial> &motions)
+    {
+      const auto n = std::count_if(
+                   motions.begin(),
+                   motions.end() - 1,
+                   [](const MotionTrial &x) { return x.ends_in; }),
+                 n_undecided = std::count_if(
+                   motions.begin(),
+                   motions.end() - 1,
+                   [](const MotionTrial &x) { return x.is_undecided; });
+      return std::to_string(n) + " of " + std::to_string(motions.size() - 1) +
+             " end in this cycle" +
+             (n_undecided > 0
+                ? ", " + std::to_string(n_undecided) + " undecided"
+                : "") +
+             "; a motion from the cycle " +
+             (motions.back().ends_in ? "stays there" : "does not stay there");
+    }
+
+    /** The cycle that was asked for is that of @p trials. */
+    void
+    warn_of_trials(const PointTrials &trials,
+                   const CycleResult &cycle,
+                   RunLog            &log)
+    {
+      if (trials.motions.empty())
+        return;
+      if (growth_ends_in_cycle(trials.motions) == "no")
+        log.warning("small disturbances of steady sliding " +
+                    text_of_growth(trials) +
+                    ", which a 'Limit cycle/Start amplitude' below 1 may find: "
+                    "the brake does not come to this cycle by itself");
+      if (cycle.multipliers.is_stable() && !trials.motions.back().ends_in)
+        log.warning("the motion that starts on the cycle, which is stable by "
+                    "its multipliers, does not stay there within the errors: "
+                    "raise 'Limit cycle/Steps per period'");
+    }
+
     std::vector<std::pair<std::string, std::string>>
     figures_of_run(const Table                    &table,
                    const CycleResult              &first,
+                   const PointTrials              &trials,
+                   const bool                      with_growth,
                    const std::vector<std::string> &pairs)
     {
       const auto shown = [&](const std::string &name) {
         const std::string text = table.display(0, table.column_index(name));
         return text.empty() ? std::string("-") : text;
       };
-      return {
+      std::vector<std::pair<std::string, std::string>> result = {
         {"limit cycle", cycle_sentence(first, pairs)},
         {"from the pair at",
          shown("pair_frequency_hz") + " Hz, sigma " +
@@ -122,6 +183,15 @@ namespace squeal
            " m"},
         {"share beyond the harmonics", shown("share_beyond_harmonics")},
         {"imbalance of the ledger", shown("imbalance")}};
+      if (!trials.motions.empty())
+        result.insert(
+          result.begin() + 1,
+          {"motions from other starts", text_of_starts(trials.motions)});
+      if (with_growth)
+        result.insert(
+          result.begin() + 1,
+          {"small disturbances of steady sliding", text_of_growth(trials)});
+      return result;
     }
 
     /** Tables and report of @p cycles; the first is the one that was asked
@@ -131,6 +201,7 @@ namespace squeal
                   const Model                      &model,
                   const SteadyModel                &about,
                   const std::vector<CycleResult>   &cycles,
+                  const PointTrials                &trials,
                   const std::optional<CycleBranch> &branch)
     {
       const auto                    &p     = context.parameters;
@@ -149,7 +220,9 @@ namespace squeal
           context.log.warning("the cycle from the pair at " +
                               rounded_text(c.pair.imag() / (2. * M_PI), 6) +
                               " Hz: " + text);
-      context.record.figures = figures_of_run(table, first, pairs);
+      warn_of_trials(trials, first, context.log);
+      context.record.figures = figures_of_run(
+        table, first, trials, !branch && first.has_converged(), pairs);
       HtmlReport report("Limit cycle of " + p.scene.name,
                         "periodic motion of the reduced model");
       report.set_verdict(first.has_converged() && first.multipliers.is_stable()
@@ -203,6 +276,13 @@ namespace squeal
         }
       report.section("Cycles");
       report.table(all, "Limit cycles of the growing pairs");
+      if (!trials.motions.empty())
+        {
+          const Table starts = trial_table_of(trials, cycles);
+          context.write_table("starts.csv", starts);
+          report.section("Starts");
+          report.table(starts, "Motions from other starts");
+        }
       context.finish(p.output.report ? &report : nullptr, "");
     }
   } // namespace
@@ -273,6 +353,19 @@ namespace squeal
     std::optional<CycleBranch> branch;
     if (!p.sweep.axes.empty() && cycles.front().has_converged())
       branch = branch_of(context, pressed, cycles.front());
-    report_cycles(context, model, about, cycles, branch);
+    PointTrials trials;
+    if (cycles.front().has_converged())
+      {
+        Timers::Section section(context.timers, "Solve: other starts");
+        trials = trials_of(about,
+                           map,
+                           linear,
+                           growing_pairs(linear, p.eigen).front(),
+                           cycles,
+                           {0},
+                           p.limit_cycle,
+                           p.transient.time_step);
+      }
+    report_cycles(context, model, about, cycles, trials, branch);
   }
 } // namespace squeal

@@ -2,11 +2,9 @@
 #ifndef squeal_analyses_limit_cycle_cycle_campaign_h
 #define squeal_analyses_limit_cycle_cycle_campaign_h
 
-#include <squeal/cycle/cycle_trial.h>
-#include <squeal/model/pressed_model.h>
+#include <squeal/analyses/limit_cycle/cycle_trials.h>
 #include <squeal/parameters/parameters.h>
 #include <squeal/results/table.h>
-#include <squeal/transient/linearized_motion.h>
 
 #include <complex>
 #include <string>
@@ -42,39 +40,6 @@ namespace squeal
    * are the same if frequencies and rms agree within their errors and 0.1 and
    * 1 %. */
   CycleOutcome outcome_of(const std::vector<CycleResult> &cycles);
-
-  /** Motions from other starts beside one of the cycles of a point. */
-  struct PointTrials
-  {
-    int cycle = -1; /**< which; -1: none */
-    /** The last one from that cycle itself. */
-    std::vector<MotionTrial> motions;
-  };
-
-  /**
-   * Motions from `Limit cycle/Starts` starts, by plain steps of @p step, s, or
-   * the largest stable ones, and one from the cycle itself, beside the cycle of
-   * a point that is heard. Where several are left whose stability is open that
-   * is the first on which a motion stays, or the first of all, by the errors of
-   * their rms forces; where all are
-   * unstable it is the one of the least multiplier. The first motion is what a
-   * small disturbance of steady sliding grows to, by the pair of @p linear that
-   * grows fastest, unless that takes too long; the next ones go on
-   * from where the runs from the growing pairs have ended, the others start
-   * from impulses at points of all bodies of 1, 4, 1/4, 16, 1/16 ... times the
-   * energy at which half of the nodes open or stick, in turn to either side.
-   * None without starts and where no cycle was found.
-   */
-  PointTrials trials_of(const SteadyModel              &about,
-                        const PeriodMap                &map,
-                        const LinearizedMotion         &linear,
-                        const std::vector<CycleResult> &cycles,
-                        const LimitCycleParameters     &settings,
-                        const double                    step);
-
-  /** A row for each motion, with the cycle beside it. */
-  Table trial_table_of(const PointTrials              &trials,
-                       const std::vector<CycleResult> &cycles);
 
   /** Columns of what a point comes to, without those of the axes; one row. A
    * cycle that all motions of @p trials end in is heard, whatever multipliers
