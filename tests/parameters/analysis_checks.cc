@@ -293,8 +293,7 @@ namespace
     check_change_refused(branch(mu, "0.7"), {"'Sweep/Axis mu/From'", "below"});
     auto with_starts = branch(mu, "0.1");
     with_starts.push_back("Limit cycle/Starts = 3");
-    check_change_refused(with_starts,
-                         {"'Limit cycle/Starts'", "'Campaign'"});
+    check_change_refused(with_starts, {"'Limit cycle/Starts'", "'Campaign'"});
     refuse("Limit cycle/Starts = 101", {"'Limit cycle/Starts'", "100"});
   }
 
