@@ -25,6 +25,7 @@ set(SQUEAL_SOURCES_BASE
     source/base/open_hdf5_files.cc
     source/base/output_directory.cc
     source/base/packing.cc
+    source/base/printable_text.cc
     source/base/program_id.cc
     source/base/root_action.cc
     source/base/row_file.cc

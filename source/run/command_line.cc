@@ -3,6 +3,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/base/open_hdf5_files.h>
+#include <squeal/base/printable_text.h>
 #include <squeal/base/timers.h>
 #include <squeal/base/version.h>
 #include <squeal/run/command_line.h>
@@ -141,7 +142,7 @@ namespace squeal
     {
       const auto fail = [is_root](const std::string &text, const int code) {
         if (is_root)
-          std::cerr << "squeal: " << text << std::endl;
+          std::cerr << "squeal: " << printable_text(text) << std::endl;
         return code;
       };
       try

@@ -19,7 +19,11 @@ namespace squeal
      * to each other for steps to their coalescence. */
     constexpr unsigned int most_halvings = 6;
     /** Of an interval from which the steps lead to a coalescence elsewhere. */
-    constexpr unsigned int most_halvings_outside = 24;
+    constexpr unsigned int halvings_before_search[] =
+      {0, 1, 2, 4, 7, 11, 16, 24};
+    /** Searches from intervals one in the other that lead to the same place off
+     * the real axis: those from shorter ones do as well. */
+    constexpr unsigned int enough_alike = 4;
 
     /** Condition of the two of @p pairs next to those beside a coalescence, NaN
      * where the band has none next to one of them. */
@@ -145,7 +149,7 @@ namespace squeal
        * lock-in: the interval is halved until they stay in it. On the real axis
        * they must at last; off it, where the real part of a squared
        * half-difference changes its sign beside its root, what the shortest
-       * interval leads to counts.
+       * intervals lead to counts.
        */
       std::optional<Coalescence>
       coalescence(const Continuation          &continuation,
@@ -154,17 +158,24 @@ namespace squeal
                   const Stretch               &whole)
       {
         std::optional<Coalescence> found;
-        for (unsigned int step = 0; step <= most_halvings_outside; ++step)
+        unsigned int               n_halvings = 0, n_alike = 0;
+        for (const unsigned int n : halvings_before_search)
           {
-            if (const auto next =
-                  coalescence_of(continuation, a, b, branch_1, branch_2, whole))
-              {
-                if (holds(next->coordinate.real()))
-                  return next;
-                found = next;
-              }
-            if (!halve(solver, options))
+            while (n_halvings < n && halve(solver, options))
+              ++n_halvings;
+            if (n_halvings < n || (n_alike == enough_alike && !options.real))
               break;
+            const auto next =
+              coalescence_of(continuation, a, b, branch_1, branch_2, whole);
+            if (!next)
+              continue;
+            if (holds(next->coordinate.real()))
+              return next;
+            const bool is_alike =
+              found && std::abs(next->coordinate - found->coordinate) <=
+                         1e-6 * (whole.upper - whole.lower);
+            n_alike = is_alike ? n_alike + 1 : 1;
+            found   = next;
           }
         return options.real ? std::nullopt : found;
       }

@@ -49,6 +49,47 @@ namespace
           "and neither does the headline");
   }
 
+  /** A spring of 1e-5 of the other has next to no influence: it is not known by
+   * itself, not apart from the one that is. */
+  void
+  test_number_without_influence()
+  {
+    write_text("measured.csv",
+               "name,frequency_hz,weight\n,160,1\n,226,1\n,275,1\n");
+    std::string text = replaced_in(
+      mass_on_spring, "set Springs  = spring", "set Springs = spring, weak");
+    text = replaced_in(text,
+                       "  subsection Spring spring",
+                       "  subsection Spring weak\n    set Body = mass\n    "
+                       "set Stiffnesses = 10, 0, 0\n  end\n"
+                       "  subsection Spring spring");
+    text = replaced_in(
+      text, "set Numbers = plane, across", "set Numbers = plane, weak");
+    text =
+      replaced_in(text, "subsection Number across", "subsection Number weak");
+    text                  = replaced_in(text,
+                       "Scene/Spring spring/Stiffnesses[3]",
+                       "Scene/Spring weak/Stiffnesses[1]");
+    text                  = replaced_in(text,
+                       "set Lower   = 1e5\n    set Upper   = 1e8\n  end\nend",
+                       "set Lower   = 1\n    set Upper   = 100\n  end\nend");
+    const Outcome outcome = run(text, {"Analysis = updating"});
+    check(outcome.code == 0, "the fit ends well " + outcome.errors);
+    check(
+      unbroken(outcome.output)
+          .find(
+            "the data do not identify weak: its value is a matter of chance") !=
+        std::string::npos,
+      "the number is not identified: " + outcome.output);
+    const Table table = read_csv("out/updated_numbers.csv");
+    check(value(table, "plane", "identified") == 1. &&
+            value(table, "weak", "identified") == 0.,
+          "the other one is");
+    for (const std::string number : {"plane", "weak"})
+      check(std::isnan(value(table, number, "correlation")),
+            "nothing is correlated with what is not known");
+  }
+
   /** Of pairing by shape: the mass on springs moves along the axes; the third
    * measured shape is along @p c. */
   Outcome
@@ -129,6 +170,7 @@ main(int argc, char **argv)
   check(argc == 2, "argument: the program");
   program = argv[1];
   test_no_spare_frequency();
+  test_number_without_influence();
   test_shapes_of_no_mode();
   test_zero_shape();
 }

@@ -5,6 +5,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
 #include <squeal/base/input_file.h>
+#include <squeal/base/printable_text.h>
 
 #include <squeal/parameters/prm_tree.h>
 
@@ -115,4 +116,11 @@ main()
   fs::create_symlink("file", "link.part");
   fs::rename("link.part", "link");
   check(read_file("link") == "a\nb", "links are followed");
+
+  check(printable_text("\u00e4 \u20ac \U0001f600\tb\n") ==
+          "\u00e4 \u20ac \U0001f600\tb\n",
+        "characters of any alphabet are printed");
+  check(printable_text("1.\xb3 \x1b[2J \xed\xa0\x80 \xe2\x82") ==
+          "1.? ?[2J ??? ??",
+        "but no other bytes that a damaged file holds");
 }

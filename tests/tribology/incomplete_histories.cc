@@ -19,18 +19,18 @@ namespace
   std::string program;
 
   /** A grid of 2 x 2 nodes under a common pressure, with slip rates or
-   * without; tractions are @p friction times the pressure, and the status is
-   * open if @p is_open, else there is none. */
+   * without; tractions are @p friction times the pressure, and the status at
+   * the times is @p status, one after the other and again; none if it is empty. */
   void
-  write_history(const std::string         &file,
-                const std::vector<double> &times,
-                const std::vector<double> &pressures,
-                const bool                 has_slip_rate,
-                const double               friction = .5,
-                const bool                 is_open  = false,
-                const double               slip     = 2.,
-                const std::string         &name     = "",
-                const double               sliding  = 1.)
+  write_history(const std::string                &file,
+                const std::vector<double>        &times,
+                const std::vector<double>        &pressures,
+                const bool                        has_slip_rate,
+                const double                      friction = .5,
+                const std::vector<ContactStatus> &status   = {},
+                const double                      slip     = 2.,
+                const std::string                &name     = "",
+                const double                      sliding  = 1.)
   {
     HistoryLayout layout;
     layout.name    = name;
@@ -41,16 +41,17 @@ namespace
     layout.areas.assign(4, .25e-6);
     layout.has_gap = layout.has_status = layout.has_resultants = false;
     layout.has_slip_rate                                       = has_slip_rate;
-    layout.has_status                                          = is_open;
+    layout.has_status = !status.empty();
     HistorySamples s;
     s.time = times;
-    for (const double p : pressures)
+    for (std::size_t i = 0; i < pressures.size(); ++i)
       for (unsigned int node = 0; node < 4; ++node)
         {
+          const double p = pressures[i];
           s.pressure.push_back(p);
           s.traction.insert(s.traction.end(), {0., friction * p});
-          if (is_open)
-            s.status.push_back(std::uint8_t(ContactStatus::open));
+          if (!status.empty())
+            s.status.push_back(std::uint8_t(status[i % status.size()]));
           if (has_slip_rate)
             s.slip_rate.insert(s.slip_rate.end(), {0., slip});
         }
@@ -204,18 +205,34 @@ namespace
     write_history("driven.h5", times, pressures, true, -.5);
     check(has(run_damage("  set File = driven.h5\n"), power),
           "friction that drives the sliding");
-    write_history("open.h5", times, pressures, true, .5, true);
+    write_history("open.h5", times, pressures, true, .5, {ContactStatus::open});
     check(has(run_damage("  set File = open.h5\n"), status),
           "an open contact under pressure");
+    const std::vector<ContactStatus> slips            = {ContactStatus::slip},
+                                     sticks_and_slips = {ContactStatus::slip,
+                                                         ContactStatus::stick};
+    write_history("closed.h5", times, {1e6, 0., 1e6, 0., 1e6}, true, .5, slips);
+    check(has(run_damage("  set File = closed.h5\n"),
+              "8 of 20 values with a closed status have no pressure"),
+          "a closed contact without pressure");
+    write_history("rubs.h5", times, pressures, true, .5, sticks_and_slips, .3);
+    check(has(run_damage("  set File = rubs.h5\n"),
+              "the slip rate is 0.300 m/s on the mean of the 8 values whose "
+              "status is stick"),
+          "sticking at the speed of sliding");
+    write_history("slips.h5", times, pressures, true, .5, slips);
+    const std::string slipping = run_damage("  set File = slips.h5\n");
+    check(!has(slipping, "closed status") && !has(slipping, "status is"),
+          "a closed contact that slips under pressure has no word");
     const std::string direction = "the slip rates point along (0, -1.0)";
-    write_history("turned.h5", times, pressures, true, -.5, false, -2.);
+    write_history("turned.h5", times, pressures, true, -.5, {}, -2.);
     const std::string turned = run_damage("  set File = turned.h5\n");
     check(has(turned, direction) && !has(turned, "the friction power is"),
           "sliding the other way than the history says");
     for (const double sliding : {1., 0.3})
       {
         write_history(
-          "speed.h5", times, pressures, true, .5, false, .3, "", sliding);
+          "speed.h5", times, pressures, true, .5, {}, .3, "", sliding);
         check(has(run_damage("  set File = speed.h5\n"),
                   "'nodes/sliding' has a length of 0.30") == (sliding < 1.),
               "a speed for a direction is no sliding all round");
@@ -242,7 +259,7 @@ namespace
   {
     const std::vector<double> times = {0., 1e-3, 2e-3}, p = {1e6, 2e6, 1e6};
     write_history("forth.h5", times, p, true);
-    write_history("back.h5", times, p, true, -.5, false, -2., "", -1.);
+    write_history("back.h5", times, p, true, -.5, {}, -2., "", -1.);
     run_damage("  set File = back.h5\n");
     run_damage("  set File = forth.h5\n  set Silent file = forth.h5\n");
     const Outcome other = run_program(
@@ -269,7 +286,7 @@ namespace
     };
     using Names                     = std::vector<std::string>;
     const std::vector<double> times = {0., 1e-3, 2e-3}, p = {1e6, 2e6, 1e6};
-    write_history("named.h5", times, p, true, .5, false, 2., "quiet braking");
+    write_history("named.h5", times, p, true, .5, {}, 2., "quiet braking");
     run_damage("  set File = named.h5\n");
     check(names() == Names{"quiet braking"}, "one history: its own name");
     run_damage("  set File = known.h5\n");

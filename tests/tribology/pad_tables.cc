@@ -193,6 +193,42 @@ namespace
 
 
 
+  /** Of a covariate that the damage table has as well, with one value in all
+   * cells, the varying map of the features is taken out all the same. */
+  void
+  covariate_of_both_tables(const CorrelationParameters &p, const PadMaps &one)
+  {
+    {
+      std::ofstream features("features.csv");
+      features << "x_m,y_m,crack_density_per_m,plateau_fraction,"
+                  "mean_pressure_pa\n";
+      for (unsigned int k = 0; k < n * n; ++k)
+        features << place(k % n) << "," << place(k / n) << "," << k * k % 17
+                 << "," << k % 5 << "," << 3e6 << "\n";
+    }
+    const std::vector<PadMaps> pads = read_pads(p);
+    const SharedCauses        &both = pads[0].causes;
+    check(both.values.cols() == one.causes.values.cols() + 2 &&
+            both.names[both.names.size() - 2] ==
+              "mean_pressure_pa of the damage table" &&
+            both.names.back() == "mean_pressure_pa of the features",
+          "columns of one name in both tables are two causes");
+    Worst off;
+    for (const int k : {-2, -1})
+      off.add((both.values.col(both.values.cols() - 2 + k) -
+               one.causes.values.col(one.causes.values.cols() + k))
+                .cwiseAbs()
+                .maxCoeff());
+    check(off.largest() == 0., "that of the damage table is the same");
+    const auto lines = warnings_of_constant_covariates(pads);
+    check(
+      lines.size() == 1 &&
+        lines[0].find("take nothing out: mean_pressure_pa of the features") !=
+          std::string::npos,
+      "one that is the same everywhere is warned of");
+    write_measured();
+  }
+
   /** Measured maps of either table are shared causes and no longer indices or
    * features; few cells beside many causes are warned of. */
   void
@@ -211,8 +247,10 @@ namespace
     check(pad.causes.values.cols() == plain.causes.values.cols() + 4 &&
             pad.causes.names.back() == "mean_pressure_pa",
           "but a cause, with its square");
-    check(warnings_of_lacking_covariates(read_pads(p)).empty(),
+    check(warnings_of_lacking_covariates(read_pads(p)).empty() &&
+            warnings_of_constant_covariates(read_pads(p)).empty(),
           "covariates that are known everywhere");
+    covariate_of_both_tables(p, pad);
     {
       std::ofstream features("features.csv");
       features << "x_m,y_m,crack_density_per_m,plateau_fraction\n";

@@ -79,7 +79,7 @@ namespace squeal
                          n.is_identified ? 1 : 0,
                          n.sensitivity,
                          n.partner < 0 ? "" : p.numbers[n.partner].name,
-                         n.correlation});
+                         n.partner < 0 ? Cell() : Cell(n.correlation)});
         }
       return table;
     }

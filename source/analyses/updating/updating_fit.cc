@@ -128,6 +128,47 @@ namespace squeal
       fit.ended = ending(code, fit.has_converged);
     }
 
+    /** Part of a number in directions that the data do not tell from which it
+     * is not known. */
+    constexpr double unknown_part = 0.1;
+
+    /** Sets the number that each is most correlated with. Of two that are not
+     * known it is their share in the directions that the data do not tell,
+     * along which their variance is without bound: a number without influence
+     * has such a direction for itself and no partner. What is left of it in
+     * other directions says nothing about its correlation with what is known.
+     */
+    void
+    set_partners(const Eigen::MatrixXd     &covariance,
+                 const Eigen::MatrixXd     &unknown,
+                 std::vector<FittedNumber> &numbers)
+    {
+      const unsigned int n      = numbers.size();
+      const auto         shares = [&](const unsigned int i) {
+        return unknown(i, i) > unknown_part;
+      };
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          numbers[i].partner     = -1;
+          numbers[i].correlation = 0.;
+          for (unsigned int j = 0; j < n; ++j)
+            {
+              const bool is_known =
+                !numbers[i].is_unknown && !numbers[j].is_unknown;
+              if (j == i || !(is_known || (shares(i) && shares(j))))
+                continue;
+              const Eigen::MatrixXd &of    = is_known ? covariance : unknown;
+              const double           scale = std::sqrt(of(i, i) * of(j, j));
+              if (scale > 0. &&
+                  std::abs(of(i, j)) / scale > std::abs(numbers[i].correlation))
+                {
+                  numbers[i].partner     = j;
+                  numbers[i].correlation = of(i, j) / scale;
+                }
+            }
+        }
+    }
+
     /** Intervals, correlations and what the data do not tell. */
     std::vector<FittedNumber>
     statistics(const UpdatingModel      &model,
@@ -143,14 +184,14 @@ namespace squeal
       const double cut = unknown_direction * std::max(sizes[0], 1e-300);
       // Covariance over the variance of the data, of known directions.
       Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
-      Eigen::VectorXd unknown    = Eigen::VectorXd::Zero(n);
+      Eigen::MatrixXd unknown    = Eigen::MatrixXd::Zero(n, n);
       for (unsigned int k = 0; k < n; ++k)
         {
           const Eigen::VectorXd v = svd.matrixV().col(k);
           if (sizes[k] > cut)
             covariance += v * v.transpose() / (sizes[k] * sizes[k]);
           else
-            unknown += v.cwiseAbs2();
+            unknown += v * v.transpose();
         }
       double reach = not_known; // quantile times deviation of one residual
       if (n_free > 0)
@@ -173,7 +214,7 @@ namespace squeal
             u <= model.lower(i) + slack || u >= model.upper(i) - slack;
           // Of a number of almost no influence, the variance may overflow.
           number.is_unknown =
-            unknown[i] > 0.1 || !std::isfinite(covariance(i, i));
+            unknown(i, i) > unknown_part || !std::isfinite(covariance(i, i));
           const double half =
             number.is_unknown ? not_known : reach * std::sqrt(covariance(i, i));
           number.interval_lower = number.value * std::exp(-half);
@@ -182,20 +223,9 @@ namespace squeal
             number.interval_lower = number.interval_upper = not_known;
           // Without an interval nothing says that it is.
           number.is_identified = 2. * half <= model.upper(i) - model.lower(i);
-          number.partner       = -1;
-          number.correlation   = 0.;
-          for (unsigned int j = 0; j < n; ++j)
-            if (const double scale =
-                  std::sqrt(covariance(i, i) * covariance(j, j));
-                j != i && scale > 0. &&
-                std::abs(covariance(i, j)) / scale >
-                  std::abs(number.correlation))
-              {
-                number.partner     = j;
-                number.correlation = covariance(i, j) / scale;
-              }
           result.push_back(number);
         }
+      set_partners(covariance, unknown, result);
       return result;
     }
   } // namespace

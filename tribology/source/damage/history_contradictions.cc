@@ -14,6 +14,9 @@ namespace squeal::tribology
   {
     // Of the largest value of a history; a contact opens between two samples.
     constexpr double worth_a_line = 0.01;
+    /** Mean slip rate of what sticks, of the largest one: a change of status
+     * lies between two samples. */
+    constexpr double least_slip = 0.05;
 
     /** Length of the mean of unit vectors from which they have a direction, and
      * cosine of the angle from which two directions contradict each other. */
@@ -102,16 +105,41 @@ namespace squeal::tribology
             lowest      = p;
             lowest_node = i % layout.n_nodes();
           }
-        if (layout.has_status && p > 0. &&
-            static_cast<ContactStatus>(s.status[i]) == ContactStatus::open)
-          {
-            ++n_open;
-            highest_open = std::max(highest_open, p);
-          }
+        if (layout.has_status)
+          add_status(s, i);
         if (!layout.has_slip_rate)
           add_way(s.traction[2 * i], s.traction[2 * i + 1]);
         else if (p > 0.)
           add_way(p * s.slip_rate[2 * i], p * s.slip_rate[2 * i + 1]);
+      }
+  }
+
+
+
+  void
+  HistoryContradictions::add_status(const HistorySamples &s,
+                                    const std::size_t     i)
+  {
+    const auto   status = static_cast<ContactStatus>(s.status[i]);
+    const double p      = s.pressure[i];
+    if (status == ContactStatus::open)
+      {
+        n_open += p > 0.;
+        highest_open = std::max(highest_open, p);
+      }
+    else
+      {
+        ++n_closed;
+        n_closed_without += !(p > 0.);
+      }
+    if (!layout.has_slip_rate)
+      return;
+    const double rate = std::hypot(s.slip_rate[2 * i], s.slip_rate[2 * i + 1]);
+    fastest           = std::max(fastest, rate);
+    if (status == ContactStatus::stick)
+      {
+        ++n_stick;
+        stick_rates += rate;
       }
   }
 
@@ -158,6 +186,36 @@ namespace squeal::tribology
 
 
   std::vector<std::string>
+  HistoryContradictions::notes_of_status() const
+  {
+    const std::string        mend = "; mend the status, or leave it out and it "
+                                    "follows from the pressure";
+    std::vector<std::string> lines;
+    if (highest_open > worth_a_line * highest)
+      lines.push_back("the status is open in " + std::to_string(n_open) +
+                      " of " + std::to_string(n_values) +
+                      " values that have a pressure, up to " +
+                      rounded_text(highest_open, 3) +
+                      " Pa: contact time, impacts and stick-slip follow the "
+                      "status, wear and pressures do not" +
+                      mend);
+    if (n_closed_without > worth_a_line * n_closed)
+      lines.push_back(std::to_string(n_closed_without) + " of " +
+                      std::to_string(n_closed) +
+                      " values with a closed status have no pressure: contact "
+                      "time and impacts follow the status" +
+                      mend);
+    if (n_stick > 0 && stick_rates > least_slip * n_stick * fastest)
+      lines.push_back("the slip rate is " +
+                      rounded_text(stick_rates / n_stick, 3) +
+                      " m/s on the mean of the " + std::to_string(n_stick) +
+                      " values whose status is stick: stick-slip follows the "
+                      "status, wear and friction power follow the slip rate; "
+                      "mend one of both");
+    return lines;
+  }
+
+  std::vector<std::string>
   HistoryContradictions::notes(const std::vector<SurfaceSums> &sums) const
   {
     std::vector<std::string> lines;
@@ -168,14 +226,8 @@ namespace squeal::tribology
                       std::to_string(lowest_node) +
                       ": compression is positive and a contact cannot pull; "
                       "they are counted as they stand");
-    if (highest_open > worth_a_line * highest)
-      lines.push_back("the status is open in " + std::to_string(n_open) +
-                      " of " + std::to_string(n_values) +
-                      " values that have a pressure, up to " +
-                      rounded_text(highest_open, 3) +
-                      " Pa: contact time, impacts and stick-slip follow the "
-                      "status, wear and pressures do not; mend the status, or "
-                      "leave it out and it follows from the pressure");
+    for (const std::string &line : notes_of_status())
+      lines.push_back(line);
     if (const std::string places = note_of_places(layout); !places.empty())
       lines.push_back(places);
     if (const std::string energy = note_of_energy(sums); !energy.empty())

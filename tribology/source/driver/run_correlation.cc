@@ -265,6 +265,8 @@ namespace squeal::tribology
       context.log.warning(line);
     for (const std::string &line : warnings_of_long_pads(pads, p))
       context.log.warning(line);
+    for (const std::string &line : warnings_of_constant_covariates(pads))
+      context.log.warning(line);
     for (const std::string &line : warnings_of_lacking_covariates(pads))
       context.log.warning(line);
     for (const std::string &line : warnings_of_assumed_edges(pads, p))

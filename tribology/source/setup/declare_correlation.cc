@@ -175,7 +175,8 @@ namespace squeal::tribology
                "Columns of the damage or feature tables that are taken out of "
                "both maps as well: mean pressure, plateaus, place of the "
                "stage, anything measured. They are no longer indices or "
-               "features.");
+               "features. Of a name that both tables have both columns are "
+               "taken out.");
     schema.add(
       "Least coverage",
       c.least_coverage,

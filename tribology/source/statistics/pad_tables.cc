@@ -329,17 +329,32 @@ namespace squeal::tribology
       std::vector<MeasuredCause> measured;
       for (const std::string &name : p.covariates)
         {
-          if (!damage.has_column(name) && !features.has_column(name))
+          std::vector<MeasuredCause> causes;
+          if (damage.has_column(name))
+            {
+              require_finite_numbers(damage, name, damage_file);
+              causes.push_back({name, on_grid(*pad.grid, damage.reals(name))});
+            }
+          if (features.has_column(name))
+            {
+              require_finite_numbers(features, name, feature_file);
+              causes.push_back({name, map_of_feature(name)});
+            }
+          if (causes.empty())
             throw InputError("'Covariates': neither '" + damage_file +
                              "' nor '" + feature_file + "' has a column '" +
                              name + "'");
-          const bool of_damage = damage.has_column(name);
-          require_finite_numbers(of_damage ? damage : features,
-                                 name,
-                                 of_damage ? damage_file : feature_file);
-          measured.push_back({name,
-                              of_damage ? on_grid(*pad.grid, damage.reals(name))
-                                        : map_of_feature(name)});
+          if (causes.size() == 2)
+            {
+              causes[0].name += " of the damage table";
+              causes[1].name += " of the features";
+            }
+          for (MeasuredCause &cause : causes)
+            {
+              if (is_same_everywhere(cause.map))
+                pad.constant_covariates.push_back(cause.name);
+              measured.push_back(std::move(cause));
+            }
         }
       if (pad.features.count(along_sliding_column) > 0 ||
           is_among(p.covariates, along_sliding_column))

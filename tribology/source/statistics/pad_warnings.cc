@@ -189,6 +189,21 @@ namespace squeal::tribology
 
 
   std::vector<std::string>
+  warnings_of_constant_covariates(const std::vector<PadMaps> &pads)
+  {
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < pads.size(); ++i)
+      if (!pads[i].constant_covariates.empty())
+        warnings.push_back("pad " + std::to_string(i + 1) +
+                           ": these covariates have one value in all cells and "
+                           "take nothing out: " +
+                           prm::join(pads[i].constant_covariates, ", "));
+    return warnings;
+  }
+
+
+
+  std::vector<std::string>
   warnings_of_long_pads(const std::vector<PadMaps>  &pads,
                         const CorrelationParameters &p)
   {

@@ -181,10 +181,20 @@ namespace squeal::tribology
 
 
 
-    /** The known values less their mean over their standard deviation; 0 for a
-     * map that is the same everywhere. */
-    Eigen::VectorXd
-    standardised(const GridMap &map)
+    /** Of the known values of a map. */
+    struct Spread
+    {
+      double mean = 0., deviation = 0.;
+
+      bool
+      is_none() const
+      {
+        return !(deviation > 1e-12 * std::abs(mean));
+      }
+    };
+
+    Spread
+    spread_of(const GridMap &map)
     {
       double n = 0., sum = 0., squares = 0.;
       for (const double v : map.values)
@@ -193,16 +203,26 @@ namespace squeal::tribology
             n += 1.;
             sum += v;
           }
+      if (n == 0.)
+        return {};
       for (const double v : map.values)
         if (std::isfinite(v))
           squares += (v - sum / n) * (v - sum / n);
-      const double    deviation = n > 0. ? std::sqrt(squares / n) : 0.;
+      return {sum / n, std::sqrt(squares / n)};
+    }
+
+    /** The known values less their mean over their standard deviation; 0 for a
+     * map that is the same everywhere. */
+    Eigen::VectorXd
+    standardised(const GridMap &map)
+    {
+      const Spread    spread = spread_of(map);
       Eigen::VectorXd result(map.size());
       for (std::size_t k = 0; k < map.size(); ++k)
         result(k) = !std::isfinite(map.values[k]) ? NAN
-                    : deviation > 1e-12 * std::abs(sum / n)
-                      ? (map.values[k] - sum / n) / deviation
-                      : 0.;
+                    : spread.is_none()
+                      ? 0.
+                      : (map.values[k] - spread.mean) / spread.deviation;
       return result;
     }
 
@@ -241,6 +261,12 @@ namespace squeal::tribology
   } // namespace
 
 
+
+  bool
+  is_same_everywhere(const GridMap &map)
+  {
+    return spread_of(map).is_none();
+  }
 
   SharedCauses
   shared_causes(const GridMap                    &grid,

@@ -38,6 +38,9 @@ namespace squeal::tribology
     bool is_synthetic = false;
     /** Columns of the features that hold no numbers and are left out. */
     std::vector<std::string> texts;
+    /** Covariates that have one value in all known cells: they take nothing
+     * out. */
+    std::vector<std::string> constant_covariates;
     /** Rows of features at one place with other values, in words; empty where
      * there are none. */
     std::string doubled_rows;
@@ -51,7 +54,8 @@ namespace squeal::tribology
    * directions of cracks with the length of the cracks there. Of a table
    * with a column "image" only the rows "pad" count, and there must be some.
    * The damage table must cover a rectangular grid. Columns that are covariates
-   * are shared causes, and neither indices nor features. The leading edge is
+   * are shared causes, and neither indices nor features; of a name that both
+   * tables have both columns are. The leading edge is
    * that of each table, see sliding_of_pad(). Throws InputError for a missing
    * column, for a table without rows, for a density of cracks below 0, for a
    * feature or covariate that is no finite number, see
@@ -100,6 +104,10 @@ namespace squeal::tribology
   std::vector<std::string> warnings_of_texts(
     const std::vector<PadMaps>  &pads,
     const CorrelationParameters &parameters);
+
+  /** Pads with covariates that have one value in all cells. */
+  std::vector<std::string> warnings_of_constant_covariates(
+    const std::vector<PadMaps> &pads);
 
   /** Links of a small conditional p-value that rest on one row or column of
    * cells, as those of maps do that step at one place: the test finds too many

@@ -33,6 +33,9 @@ namespace squeal::tribology
     GridMap     map;
   };
 
+  /** Whether a map has one value wherever it is known, up to rounding. */
+  bool is_same_everywhere(const GridMap &map);
+
   /**
    * The causes that @p choice names, as columns of a regression on the cells of
    * @p grid, whose values do not matter. Distances are those between its
