@@ -22,6 +22,8 @@ import re
 import statistics
 import subprocess
 
+import nodal_lines
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "output" / "benchmarks"
 RADIUS = 0.168  # of the pads, by the numbers of table 2.1
@@ -56,7 +58,7 @@ def run(program, scene, folder, settings):
     settings = {
         "Output directory": FOLDER / folder,
         "Overwrite": "true",
-        "Output/Shapes": "none",
+        "Output/Shapes": "unstable",
         "Output/Plots": "false",
         "Output/Report": "false",
     } | settings
@@ -72,6 +74,21 @@ def run(program, scene, folder, settings):
             tables.append(list(csv.DictReader(
                 line for line in file if not line.startswith("#"))))
     return tables
+
+
+def edge_amplitudes(folder, m):
+    """Of each unstable pair, in the order of eigenvalues.csv: the amplitudes of the
+    members + and - in the motion of the disc's edge across its face."""
+    found = []
+    for file in sorted((FOLDER / folder / "shapes").glob("mode_*_unstable_00.vtu")):
+        text = file.read_text(encoding="utf-8")
+        nodes, theta = nodal_lines.rim(text)
+        real, imag = (
+            nodal_lines.array(text, f"displacement_{part}", "<f4")
+            .reshape(-1, 3)[nodes, 2] for part in ("real", "imag"))
+        found.append([abs(a) for a in
+                      nodal_lines.fit_of(theta, m) @ (real + 1j * imag)])
+    return found
 
 
 def write(rows, name):
@@ -139,7 +156,7 @@ def entry(program, geometry, settings, distance, m, frequency, cells):
     row = {"geometry": geometry, "distance_mm": distance, "doublet": f"(0,{m})",
            "R": round(distance / 1000 * m / (2 * math.pi * RADIUS), 3),
            "thesis": "", "squeals": "none", "by_elimination": "none",
-           "sigma_per_s": None, "frequency_hz": None, "log10_modulus": None,
+           "larger": "none", "smaller_over_larger": None, "sigma_per_s": None, "frequency_hz": None, "log10_modulus": None,
            "disc_share": None, "split_hz": None}
     for word in TABLE[distance].split():
         if int(word[0]) == m:
@@ -147,13 +164,18 @@ def entry(program, geometry, settings, distance, m, frequency, cells):
     loudest = 0
     for offset in OFFSETS:
         exponent = exponent_at(frequency) + offset
+        folder = f"rigs/{geometry}{cells}_{distance}_{m}"
         pairs, modes = run(
-            program, scene, f"rigs/{geometry}{cells}_{distance}_{m}",
+            program, scene, folder,
             settings | placed | moduli(distance, exponent) | {
                 "Eigenvalues/Lowest frequency": round(0.96 * frequency),
                 "Eigenvalues/Highest frequency": round(1.05 * frequency)})
         if row["split_hz"] is None:
             row["split_hz"] = split(modes, m)
+        unstable = [p for p in pairs if p["unstable"] == "1"]
+        for pair, (plus, minus) in zip(unstable, edge_amplitudes(folder, m),
+                                       strict=True):
+            pair["amplitudes"] = plus, minus
         own = [p for p in pairs if members(p["name"], m) and
                float(p["ke_share_disc"]) >= LEAST_SHARE]
         for pair in own:
@@ -167,8 +189,12 @@ def entry(program, geometry, settings, distance, m, frequency, cells):
                       float(p["sigma_per_s"]) < 0 and
                       float(p["ke_share_disc"]) > 0.9}
             left = signs - stable
+            plus, minus = pair["amplitudes"]
             row |= {"squeals": "both" if len(signs) == 2 else min(signs),
                     "by_elimination": "both" if len(left) != 1 else min(left),
+                    "larger": "+" if plus > minus else "-",
+                    "smaller_over_larger": round(
+                        min(plus, minus) / max(plus, minus), 2),
                     "sigma_per_s": round(sigma, 1),
                     "frequency_hz": round(float(pair["frequency_hz"]), 1),
                     "log10_modulus": round(exponent, 3),
@@ -195,7 +221,7 @@ def score(rows):
                       for r in own] or [""]
         print(f"| {d} | " + " | ".join(cells) + " |")
     single = [row for row in rows if row["thesis"] in ("+", "-")]
-    for column in ("squeals", "by_elimination"):
+    for column in ("squeals", "by_elimination", "larger"):
         hits = sum(row[column] == row["thesis"] for row in single)
         print(f"{rows[0]['geometry']}, {column}: {hits} of {len(single)}")
 
