@@ -8,6 +8,7 @@
 #include <squeal/base/state_files.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/cycle/branch_run.h>
+#include <squeal/model/reduced_motions.h>
 #include <squeal/parameters/number_access.h>
 #include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
@@ -63,6 +64,7 @@ namespace squeal
                       SweepGrid(p).is_logarithmic(0) ? "logarithmic"
                                                      : "linear");
       fingerprint.add("modes", std::to_string(pressed.model().n_modes()));
+      fingerprint.add("modes, to the last bit", checksum_of_modes(pressed));
       const std::string name = "branch.h5";
       const auto        path = [&](const std::string &file) {
         return on_root(context.is_root, [&]() {

@@ -4,6 +4,7 @@
 
 #include <squeal/analyses/transient/transient_run.h>
 #include <squeal/base/exceptions.h>
+#include <squeal/model/reduced_motions.h>
 
 #include <algorithm>
 
@@ -424,5 +425,8 @@ namespace squeal
         motion->unknowns() ? motion->unknowns()->size() : 0);
     add("pairs recorded", recorded.lambda.size());
     add("steps", n_steps);
+    // Of all unknowns the motion does not hang on modes.
+    if (!motion->unknowns())
+      fingerprint.add("modes, to the last bit", checksum_of_modes(pressed));
   }
 } // namespace squeal
