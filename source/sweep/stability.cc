@@ -18,7 +18,8 @@ namespace squeal
     /** Of the interval of a line at whose ends two pairs are to be near enough
      * to each other for steps to their coalescence. */
     constexpr unsigned int most_halvings = 6;
-    /** Of an interval from which the steps lead to a coalescence elsewhere. */
+    /** After how many halvings of an interval, from which the steps lead to a
+     * coalescence elsewhere, they start again. */
     constexpr unsigned int halvings_before_search[] =
       {0, 1, 2, 4, 7, 11, 16, 24};
     /** Searches from intervals one in the other that lead to the same place off

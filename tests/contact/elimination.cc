@@ -212,17 +212,18 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize init(argc, argv, 1);
-  check_case({{}, {}}, "nothing to eliminate");
-  check_case({{3}, {{{0, .5}, {6, -.25}}}}, "one row");
+  check_case({{}, {}, {}}, "nothing to eliminate");
+  check_case({{3}, {{{0, .5}, {6, -.25}}}, {}}, "one row");
   // Not ascending, first and last row, one held at zero, one master thrice.
   check_case(
-    {{6, 0, 4}, {{{1, .5}, {2, .5}}, {}, {{1, 2.}, {5, -1.}, {3, .125}}}},
+    {{6, 0, 4}, {{{1, .5}, {2, .5}}, {}, {{1, 2.}, {5, -1.}, {3, .125}}}, {}},
     "three rows");
   check_case({{0, 1, 2, 3, 4, 5},
-              {{{6, 1.}}, {{6, -1.}}, {{6, 2.}}, {{6, 1.}}, {}, {{6, .5}}}},
+              {{{6, 1.}}, {{6, -1.}}, {{6, 2.}}, {{6, 1.}}, {}, {{6, .5}}},
+              {}},
              "all but one row");
-  check(is_refused({{2, 2}, {{{0, 1.}}, {{1, 1.}}}}),
+  check(is_refused({{2, 2}, {{{0, 1.}}, {{1, 1.}}}, {}}),
         "a row that is dependent twice is refused");
-  check(is_refused({{2, 3}, {{{3, 1.}}, {{1, 1.}}}}),
+  check(is_refused({{2, 3}, {{{3, 1.}}, {{1, 1.}}}, {}}),
         "a row that follows a dependent one is refused");
 }

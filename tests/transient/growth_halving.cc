@@ -42,6 +42,7 @@ namespace
     const TransientDrive drive{[](double) { return mu; },
                                [](double) { return speed; },
                                [](double) { return 1.; },
+                               {},
                                {}};
     ReducedTransient run(r.model, dt, drive, load / r.model.n_nodes(), 1e-10);
     Eigen::VectorXd  v =

@@ -220,6 +220,10 @@ namespace
               "the slip rate is 0.300 m/s on the mean of the 8 values whose "
               "status is stick"),
           "sticking at the speed of sliding");
+    write_history(
+      "rests.h5", times, pressures, true, .5, {ContactStatus::stick}, 1e-12);
+    check(!has(run_damage("  set File = rests.h5\n"), "the slip rate is"),
+          "sticking with rounding of the slip rate has no word");
     write_history("slips.h5", times, pressures, true, .5, slips);
     const std::string slipping = run_damage("  set File = slips.h5\n");
     check(!has(slipping, "closed status") && !has(slipping, "status is"),

@@ -108,7 +108,9 @@ namespace squeal
              rounded_text(growth.figures.line, 5) + " Hz";
     }
 
-    /** "3 of 4 end in it"; without the one from the cycle. */
+    /** "3 of 4 end in this cycle; a motion from the cycle stays there"; the
+     * last
+     * of @p motions is that one. */
     std::string
     text_of_starts(const std::vector<MotionTrial> &motions)
     {
@@ -354,7 +356,7 @@ namespace squeal
     if (!p.sweep.axes.empty() && cycles.front().has_converged())
       branch = branch_of(context, pressed, cycles.front());
     PointTrials trials;
-    if (cycles.front().has_converged())
+    if (p.limit_cycle.starts > 0 && cycles.front().has_converged())
       {
         Timers::Section section(context.timers, "Solve: other starts");
         trials = trials_of(about,

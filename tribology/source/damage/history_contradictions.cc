@@ -84,8 +84,10 @@ namespace squeal::tribology
 
 
 
-  HistoryContradictions::HistoryContradictions(const HistoryLayout &layout)
+  HistoryContradictions::HistoryContradictions(const HistoryLayout &layout,
+                                               const double         stick_speed)
     : layout(layout)
+    , stick_speed(stick_speed)
   {
   }
 
@@ -205,7 +207,8 @@ namespace squeal::tribology
                       " values with a closed status have no pressure: contact "
                       "time and impacts follow the status" +
                       mend);
-    if (n_stick > 0 && stick_rates > least_slip * n_stick * fastest)
+    if (n_stick > 0 &&
+        stick_rates > n_stick * std::max(least_slip * fastest, stick_speed))
       lines.push_back("the slip rate is " +
                       rounded_text(stick_rates / n_stick, 3) +
                       " m/s on the mean of the " + std::to_string(n_stick) +

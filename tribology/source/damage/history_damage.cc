@@ -366,7 +366,7 @@ namespace squeal::tribology
     Eigen::VectorXd begin; // stresses of the first sample
     bool            closed = false;
 
-    HistoryContradictions contradictions(reader.layout());
+    HistoryContradictions contradictions(reader.layout(), surface.stick_speed);
     SampleSpacing         spacing;
     double                first = 0., last = 0.;
     for_each_chunk(reader, window, history.chunk, [&](const HistorySamples &s) {

@@ -30,13 +30,12 @@ namespace squeal
    * Motions from `Limit cycle/Starts` starts, by plain steps of @p step, s, or
    * the largest stable ones, and one from the cycle itself, beside the first of
    * @p candidates on which a motion stays, or the first of all. The first
-   * motion
-   * is what a small disturbance of steady sliding grows to, by pair @p fastest of
-   * @p linear, unless that takes too long; the next ones go on from where the
-   * runs to @p cycles have ended, the others start from impulses at points of
-   * all bodies of 1, 4, 1/4, 16, 1/16 ... times the energy at which half of the
-   * nodes open or stick, in turn to either side. None without starts and
-   * without candidates.
+   * motion is what a small disturbance of steady sliding grows to, by pair
+   * @p fastest of @p linear, unless that takes too long; the next ones go on
+   * from where the runs to @p cycles have ended, the others start from impulses
+   * at points of all bodies of 1, 4, 1/4, 16, 1/16 ... times the energy at
+   * which half of the nodes open or stick, in turn to either side. None without
+   * starts and without candidates.
    */
   PointTrials trials_of(const SteadyModel              &about,
                         const PeriodMap                &map,
@@ -48,8 +47,7 @@ namespace squeal
                         const double                    step);
 
   /** Whether what a small disturbance grows to ends in the cycle: `yes`, `no`
-   * or
-   * `not known`. @p motions: of PointTrials, at least one. */
+   * or `not known`. @p motions: of PointTrials, at least one. */
   std::string growth_ends_in_cycle(const std::vector<MotionTrial> &motions);
 
   /** A row for each motion, with the cycle beside it. */

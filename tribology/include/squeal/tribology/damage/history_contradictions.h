@@ -17,7 +17,9 @@ namespace squeal::tribology
   class HistoryContradictions
   {
   public:
-    explicit HistoryContradictions(const HistoryLayout &layout);
+    /** @p stick_speed: m/s, slower slip is rounding. */
+    HistoryContradictions(const HistoryLayout &layout,
+                          const double         stick_speed);
 
     void add(const HistorySamples &samples);
 
@@ -33,6 +35,7 @@ namespace squeal::tribology
     std::string              note_of_direction() const;
 
     HistoryLayout layout;
+    double        stick_speed;                    /**< m/s */
     std::size_t   n_tension = 0, lowest_node = 0; /**< values; of the lowest */
     std::size_t   n_open = 0, n_values = 0; /**< open under pressure, all */
     std::size_t   n_closed = 0, n_closed_without = 0; /**< pressure */
