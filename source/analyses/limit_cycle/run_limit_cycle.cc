@@ -105,7 +105,10 @@ namespace squeal
         return "where they grow to is not known: raise 'Limit cycle/Run time'";
       return "grow to another motion, of " +
              rounded_text(growth.figures.rms_normal, 3) + " N rms with " +
-             rounded_text(growth.figures.line, 5) + " Hz";
+             rounded_text(growth.figures.line, 5) +
+             " Hz, which repeats itself to " +
+             rounded_text(growth.figures.repetition, 3) +
+             " (no error estimated)";
     }
 
     /** "3 of 4 end in this cycle; a motion from the cycle stays there"; the
