@@ -248,6 +248,7 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/reduced_contact_model.cc
     source/transient/reduced_transient.cc
     source/transient/reduction_basis.cc
+    source/transient/saved_modes.cc
     source/transient/rising_friction.cc
     source/transient/run_in.cc
     source/transient/sliding_flexibility.cc

@@ -109,14 +109,16 @@ namespace squeal
                              const double                     highest,
                              Timers                          &timers,
                              const double                     interface,
-                             const Flexibility                what)
+                             const Flexibility                what,
+                             const SavedModes                *earlier)
     : PressedModel(
         p,
         timed(timers, [&]() { return open_scene(p.scene, d, bodies); }),
         highest,
         timers,
         interface,
-        what)
+        what,
+        earlier)
   {
   }
 
@@ -125,7 +127,8 @@ namespace squeal
                              const double      highest,
                              Timers           &timers,
                              const double      interface,
-                             const Flexibility what)
+                             const Flexibility what,
+                             const SavedModes *earlier)
     : parameters(p)
     , scene(p.scene)
     , discretization(open.discretization)
@@ -157,8 +160,13 @@ namespace squeal
           ? undamped_modes(*pencil, limit)
           : undamped_modes(*pencil, ShiftedInverse(*pencil, limit));
       modes.release_start();
-      basis = std::make_shared<const ReductionBasis>(reduction_basis(
-        *pencil, modes, contact_nodes.relative_motion(), interface_cut_off));
+      ReductionBasis motions = reduction_basis(
+        *pencil, modes, contact_nodes.relative_motion(), interface_cut_off);
+      // On one rank the same run has the same bits.
+      if (earlier && pencil->space()->n_ranks() > 1 &&
+          turn_into(motions, *earlier, *pencil))
+        earlier_modes = std::make_shared<const SavedModes>(*earlier);
+      basis = std::make_shared<const ReductionBasis>(std::move(motions));
     }
     if (is_state_of_moving())
       reduced = frequencies_alone(*basis, contact_nodes);
@@ -220,6 +228,7 @@ namespace squeal
     , contact_nodes(p.scene.contacts, other.separated.contacts)
     , pencil(other.pencil)
     , basis(other.basis)
+    , earlier_modes(other.earlier_modes)
     , load(other.load)
     , observed(other.observed)
     , force_of(other.force_of)
@@ -289,6 +298,13 @@ namespace squeal
   }
 
 
+
+  SavedModes
+  PressedModel::modes_to_save() const
+  {
+    return earlier_modes ? *earlier_modes
+                         : saved_modes(*basis, *pencil->space());
+  }
 
   Eigen::VectorXd
   PressedModel::disturbance(const double energy) const

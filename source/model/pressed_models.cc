@@ -21,7 +21,8 @@ namespace squeal
                      const double      cut_off,
                      Timers           &timers,
                      const double      interface_cut_off,
-                     const Flexibility flexibility)
+                     const Flexibility flexibility,
+                     const SavedModes *earlier = nullptr)
     {
       if (model.imported() == nullptr)
         return {parameters,
@@ -30,13 +31,15 @@ namespace squeal
                 cut_off,
                 timers,
                 interface_cut_off,
-                flexibility};
+                flexibility,
+                earlier};
       return {parameters,
               open_imported(parameters.scene, *model.imported(), timers),
               cut_off,
               timers,
               interface_cut_off,
-              flexibility};
+              flexibility,
+              earlier};
     }
   } // namespace
 
@@ -45,14 +48,16 @@ namespace squeal
                 const Model      &model,
                 const double      cut_off,
                 Timers           &timers,
-                const double      interface_cut_off)
+                const double      interface_cut_off,
+                const SavedModes *earlier)
   {
     return pressed_model_of(parameters,
                             model,
                             cut_off,
                             timers,
                             interface_cut_off,
-                            Flexibility::complete);
+                            Flexibility::complete,
+                            earlier);
   }
 
   PressedModel

@@ -3,7 +3,6 @@
 // Motions of the reduced model about steady sliding: which of them grow, which
 // a run has, and what the damping at the cut-off does to them.
 
-#include <squeal/base/checksum.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/base/run_log.h>
@@ -15,23 +14,6 @@
 
 namespace squeal
 {
-  std::string
-  checksum_of_modes(const PressedModel &pressed)
-  {
-    const ReducedContactModel &model = pressed.model();
-    std::string                bytes;
-    const auto                 add = [&bytes](const Eigen::MatrixXd &numbers) {
-      bytes.append(reinterpret_cast<const char *>(numbers.data()),
-                   numbers.size() * sizeof(double));
-    };
-    add(model.omega_squared);
-    add(model.participation);
-    add(model.load);
-    // Of modes, too, that move no contact and that no load moves.
-    add(pressed.disturbance(1.));
-    return checksum_of(bytes);
-  }
-
   LinearizedMotion
   motions_about(const SteadyModel &about)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/files.h>
+#include <squeal/base/root_action.h>
 #include <squeal/base/sealed_file.h>
 #include <squeal/base/state_files.h>
 #include <squeal/results/hdf5_file.h>
@@ -128,6 +129,29 @@ namespace squeal
   }
 
 
+
+  NamedNumbers
+  Checkpoints::group_of_newest(const std::string &path,
+                               const std::string &group,
+                               const bool         is_root)
+  {
+    return NamedNumbers::from_bytes(on_root(is_root, [&]() {
+      NamedNumbers state;
+      for (const std::string &name : {path, name_before(path)})
+        {
+          if (!is_whole_file(name, state_kind::checkpoint))
+            continue;
+          const Hdf5File file(name, Hdf5File::Mode::read);
+          if (file.number_attribute("format_version") != checkpoint_version)
+            continue;
+          for (const std::string &array : file.read_texts("names"))
+            if (array.compare(0, group.size() + 1, group + "/") == 0)
+              state.set(array, file.read("state/" + array));
+          break;
+        }
+      return state.group(group).bytes();
+    }));
+  }
 
   void
   Checkpoints::write(const NamedNumbers &state) const

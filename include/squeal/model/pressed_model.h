@@ -7,6 +7,7 @@
 #include <squeal/model/model.h>
 #include <squeal/model/open_scene.h>
 #include <squeal/transient/full_transient.h>
+#include <squeal/transient/saved_modes.h>
 #include <squeal/transient/statics_by_part.h>
 #include <squeal/transient/steady_sliding.h>
 
@@ -59,14 +60,16 @@ namespace squeal
     /** References are kept. Motions of the contact itself have mass up to
      * @p interface_cut_off, Hz; 0: none. With the flexibility of sliding alone
      * the model is good for steady sliding, not for motions; where a support
-     * is held it is good for the state alone. */
+     * is held it is good for the state alone. On several ranks the modes are
+     * those of @p earlier, where they can be. */
     PressedModel(const Parameters                &parameters,
                  const Discretization            &discretization,
                  const std::vector<BodyMatrices> &bodies,
                  const double                     cut_off,
                  Timers                          &timers,
                  const double                     interface_cut_off = 0.,
-                 const Flexibility flexibility = Flexibility::complete);
+                 const Flexibility flexibility = Flexibility::complete,
+                 const SavedModes *earlier     = nullptr);
 
     /** Of an open scene, whatever it comes from. @p parameters are kept. */
     PressedModel(const Parameters &parameters,
@@ -74,7 +77,8 @@ namespace squeal
                  const double      cut_off,
                  Timers           &timers,
                  const double      interface_cut_off = 0.,
-                 const Flexibility flexibility       = Flexibility::complete);
+                 const Flexibility flexibility       = Flexibility::complete,
+                 const SavedModes *earlier           = nullptr);
 
     const ContactNodes        &nodes() const;
     const ReducedContactModel &model() const;
@@ -95,6 +99,10 @@ namespace squeal
      * measured by. */
     double       speed() const;
     unsigned int n_unknowns() const;
+
+    /** What a motion in coordinates of the modes is saved with: those of the
+     * earlier run that it goes on from, where it does. Collective. */
+    SavedModes modes_to_save() const;
 
     /** Forces of @p load as modal forces. */
     ModalForce force(const LoadParameters &load) const;
@@ -150,7 +158,9 @@ namespace squeal
     ContactNodes                  contact_nodes;
     std::shared_ptr<const Pencil> pencil;
     std::shared_ptr<const ReductionBasis> basis;
-    Block                                 load, observed; /**< nodal forces */
+    std::shared_ptr<const SavedModes>
+          earlier_modes;  /**< of the basis, or null */
+    Block load, observed; /**< nodal forces */
     std::function<Block(const LoadParameters &)> force_of;
     Eigen::VectorXd struck; /**< velocities of a disturbance, of unit size */
     ReducedContactModel                  reduced;
@@ -185,13 +195,15 @@ namespace squeal
                                             const ImportedModel &model,
                                             Timers              &timers);
 
-  /** The pressed model of a model whose contacts are open. References are
+  /** The pressed model of a model whose contacts are open, in the modes of
+   * @p earlier where these are given and on several ranks. References are
    * kept. */
   PressedModel pressed_model(const Parameters &parameters,
                              const Model      &model,
                              const double      cut_off,
                              Timers           &timers,
-                             const double      interface_cut_off = 0.);
+                             const double      interface_cut_off = 0.,
+                             const SavedModes *earlier           = nullptr);
 
   /** The same for the states of steady sliding alone. */
   PressedModel pressed_for_states(const Parameters &parameters,

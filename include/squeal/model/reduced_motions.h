@@ -13,13 +13,6 @@ namespace squeal
 {
   class RunLog;
 
-  /** Checksum of the modes of @p pressed: 16 digits that are others where a mode
-   * has another sign or other bits, or modes of one frequency share their plane
-   * in another way. A motion in coordinates of the modes is one of these modes
-   * alone. On several ranks modes repeat to rounding only, and their signs not
-   * at all. */
-  std::string checksum_of_modes(const PressedModel &pressed);
-
   /** The motions about the steady sliding of @p about. Throws InputError where
    * `Transient/Cut-off` leaves the bodies none. */
   LinearizedMotion motions_about(const SteadyModel &about);

@@ -42,6 +42,14 @@ namespace squeal
      * Without @p resume nothing is looked at and all files are put aside. */
     Found find(const bool resume = true) const;
 
+    /** The group @p group of the state in the newest whole one of @p path, of
+     * whatever run; empty where there is none. What this returns is good to
+     * compute with where that is right for any run. All ranks get what the root
+     * (@p is_root) reads. Collective. */
+    static NamedNumbers group_of_newest(const std::string &path,
+                                        const std::string &group,
+                                        const bool         is_root);
+
     /** Makes @p state the last one. Throws InputError. */
     void write(const NamedNumbers &state) const;
 

@@ -8,7 +8,6 @@
 #include <squeal/base/state_files.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/cycle/branch_run.h>
-#include <squeal/model/reduced_motions.h>
 #include <squeal/parameters/number_access.h>
 #include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
@@ -47,8 +46,25 @@ namespace squeal
       return settings;
     }
 
+    /** The path of branch.h5; that of the one before is looked at, too. */
+    std::string
+    branch_path(RunContext &context)
+    {
+      const std::string name = "branch.h5";
+      const auto        path = [&](const std::string &file) {
+        return on_root(context.is_root, [&]() {
+          return context.output.state_file(
+            file, state_kind::checkpoint, "Output directory");
+        });
+      };
+      path(Checkpoints::name_before(name));
+      return path(name);
+    }
+
     Checkpoints
-    branch_file(RunContext &context, const PressedModel &pressed)
+    branch_file(RunContext         &context,
+                const PressedModel &pressed,
+                const SavedModes   &modes)
     {
       const Parameters &p = context.parameters;
       Fingerprint       fingerprint(p, Fingerprint::Purpose::motion);
@@ -64,16 +80,9 @@ namespace squeal
                       SweepGrid(p).is_logarithmic(0) ? "logarithmic"
                                                      : "linear");
       fingerprint.add("modes", std::to_string(pressed.model().n_modes()));
-      fingerprint.add("modes, to the last bit", checksum_of_modes(pressed));
-      const std::string name = "branch.h5";
-      const auto        path = [&](const std::string &file) {
-        return on_root(context.is_root, [&]() {
-          return context.output.state_file(
-            file, state_kind::checkpoint, "Output directory");
-        });
-      };
-      path(Checkpoints::name_before(name));
-      return {path(name), fingerprint, "take another output directory"};
+      fingerprint.add("modes, to the last bit", modes.checksum());
+      return {
+        branch_path(context), fingerprint, "take another output directory"};
     }
 
     void
@@ -201,6 +210,16 @@ namespace squeal
 
 
 
+  std::optional<SavedModes>
+  modes_of_branch(RunContext &context)
+  {
+    const NamedNumbers saved = Checkpoints::group_of_newest(
+      branch_path(context), "modes", context.is_root);
+    if (saved.all().empty())
+      return std::nullopt;
+    return SavedModes::from_numbers(saved);
+  }
+
   CycleBranch
   branch_of(RunContext         &context,
             const PressedModel &pressed,
@@ -211,13 +230,18 @@ namespace squeal
     const PeriodMaps     maps     = branch_maps(context, pressed);
     require_effect(maps, settings, place_on_axis(p), p);
     BranchRun         run(maps, start.motion, place_on_axis(p), settings);
-    const Checkpoints file = branch_file(context, pressed);
+    const SavedModes  modes = pressed.modes_to_save();
+    const Checkpoints file  = branch_file(context, pressed, modes);
     Timers::Section   section(context.timers, "Solve: branch");
     resume(run, file, context);
     StopRequest stop;
     const bool  is_at_its_ends = run.advance([&](const std::size_t n) {
       if (context.is_root)
-        file.write(run.memory());
+        {
+          NamedNumbers memory = run.memory();
+          memory.set("modes", modes.numbers());
+          file.write(memory);
+        }
       context.log.info("  " + std::to_string(n) + " points of the branch");
       return stop.is_there();
     });

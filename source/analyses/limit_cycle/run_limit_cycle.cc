@@ -311,11 +311,14 @@ namespace squeal
     Model model(p, context.timers, {}, Model::Contacts::open);
     model.print_summary(context.log);
     warn_of_frozen_rotors(model, context.log);
+    const auto earlier =
+      p.sweep.axes.empty() ? std::nullopt : modes_of_branch(context);
     const SteadyModel about = pressed_model(p,
                                             model,
                                             p.transient.cut_off,
                                             context.timers,
-                                            p.transient.interface_cut_off)
+                                            p.transient.interface_cut_off,
+                                            earlier ? &*earlier : nullptr)
                                 .steady(p.preload.tolerance, context.timers);
     const PressedModel  &pressed = about.pressed;
     const SteadySliding &steady  = about.sliding;

@@ -429,12 +429,14 @@ namespace squeal
       warn_of_frozen_rotors(model, context.log);
     if (p.output.export_matrices)
       write_open_scene(context, model, "matrices");
+    const auto              earlier = SavedTransient::earlier_modes(context);
     const PreparedTransient prepared(
       pressed_model(p,
                     model,
                     p.transient.cut_off,
                     context.timers,
-                    p.transient.interface_cut_off),
+                    p.transient.interface_cut_off,
+                    earlier ? &*earlier : nullptr),
       p,
       context.timers);
     record_unknowns(model, context.record);
@@ -454,7 +456,7 @@ namespace squeal
     warn_of_short_lag(prepared.pressed, prepared.steady, p, context.log);
     report_fastest(prepared, p, context.log);
     report_reduction(prepared, p, context.log);
-    SavedTransient saved(prepared.pressed.nodes(), context);
+    SavedTransient saved(prepared.pressed, context);
     TransientRun   run(prepared.pressed,
                      prepared.steady,
                      prepared.linear,

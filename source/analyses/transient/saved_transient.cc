@@ -40,9 +40,12 @@ namespace squeal
 
 
 
-  SavedTransient::SavedTransient(const ContactNodes &nodes, RunContext &context)
+  SavedTransient::SavedTransient(const PressedModel &pressed,
+                                 RunContext         &context)
     : checkpoint(checkpoint_path(context))
-    , stream(context.is_root ? make_history_stream(nodes, checkpoint) : nullptr)
+    , modes(pressed.modes_to_save())
+    , stream(context.is_root ? make_history_stream(pressed.nodes(), checkpoint)
+                             : nullptr)
   {
   }
 
@@ -55,6 +58,18 @@ namespace squeal
   }
 
 
+
+  std::optional<SavedModes>
+  SavedTransient::earlier_modes(RunContext &context)
+  {
+    if (!context.parameters.transient.resume)
+      return std::nullopt;
+    const NamedNumbers saved = Checkpoints::group_of_newest(
+      checkpoint_path(context), "modes", context.is_root);
+    if (saved.all().empty())
+      return std::nullopt;
+    return SavedModes::from_numbers(saved);
+  }
 
   HistoryStream *
   SavedTransient::history()
@@ -106,6 +121,9 @@ namespace squeal
     const Parameters &p = context.parameters;
     Fingerprint       fingerprint(p, Fingerprint::Purpose::motion);
     run.describe(fingerprint);
+    // Of all unknowns the motion does not hang on modes.
+    if (!run.moves_all_unknowns())
+      fingerprint.add("modes, to the last bit", modes.checksum());
     checkpoints.emplace(checkpoint, fingerprint);
     Checkpoints::Found found;
     const std::string  state = on_root(context.is_root, [&]() {
@@ -140,6 +158,7 @@ namespace squeal
       return;
     NamedNumbers memory = run.memory();
     memory.set("history", stream->memory());
+    memory.set("modes", modes.numbers());
     checkpoints->write(memory);
   }
 

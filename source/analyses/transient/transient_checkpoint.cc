@@ -4,7 +4,6 @@
 
 #include <squeal/analyses/transient/transient_run.h>
 #include <squeal/base/exceptions.h>
-#include <squeal/model/reduced_motions.h>
 
 #include <algorithm>
 
@@ -412,6 +411,12 @@ namespace squeal
 
 
 
+  bool
+  TransientRun::moves_all_unknowns() const
+  {
+    return motion->unknowns() != nullptr;
+  }
+
   void
   TransientRun::describe(Fingerprint &fingerprint) const
   {
@@ -425,8 +430,5 @@ namespace squeal
         motion->unknowns() ? motion->unknowns()->size() : 0);
     add("pairs recorded", recorded.lambda.size());
     add("steps", n_steps);
-    // Of all unknowns the motion does not hang on modes.
-    if (!motion->unknowns())
-      fingerprint.add("modes, to the last bit", checksum_of_modes(pressed));
   }
 } // namespace squeal

@@ -24,11 +24,15 @@ namespace squeal
   public:
     /** Only looks at the names. Throws InputError where a file of one of them
      * is there that squeal has not written. */
-    SavedTransient(const ContactNodes &nodes, RunContext &context);
+    SavedTransient(const PressedModel &pressed, RunContext &context);
     /** Removes a history that no checkpoint stands for. */
     ~SavedTransient();
     SavedTransient(const SavedTransient &)            = delete;
     SavedTransient &operator=(const SavedTransient &) = delete;
+
+    /** The modes that an earlier run has saved its motion in; empty where there
+     * is none. Collective. */
+    static std::optional<SavedModes> earlier_modes(RunContext &context);
 
     /** What the run hands its samples to; null on other ranks than the root. */
     HistoryStream *history();
@@ -51,6 +55,7 @@ namespace squeal
     Checkpoints::Found find(const bool resume);
 
     const std::string              checkpoint;
+    const SavedModes               modes;
     std::unique_ptr<HistoryStream> stream;
     std::optional<Checkpoints>     checkpoints; /**< from resume() on */
   };

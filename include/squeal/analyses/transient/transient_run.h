@@ -171,6 +171,9 @@ namespace squeal
     /** Enters the sizes that the memory has: nodes, modes, steps. */
     void describe(Fingerprint &fingerprint) const;
 
+    /** Whether more moves than modes: then the state does not hang on them. */
+    bool moves_all_unknowns() const;
+
   private:
     void take_history();
     void take_sample(const bool is_linear);
