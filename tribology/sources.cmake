@@ -14,11 +14,13 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/damage/peak_loss.cc
     source/damage/range_mean_picture.cc
     source/damage/sample_spacing.cc
+    source/damage/sampling_error.cc
     source/damage/subsurface.cc
     source/damage/subsurface_window.cc
     source/damage/surface.cc
     source/driver/context.cc
     source/driver/correlation_tables.cc
+    source/driver/damage_figures.cc
     source/driver/damage_pictures.cc
     source/driver/damage_report.cc
     source/driver/finding_doubts.cc

@@ -72,6 +72,16 @@ namespace squeal::tribology
                   what + " per second, slope " + m),
              [c, period](const Node &n) { return n.damage[c] / period; },
              true});
+          list.push_back({real("damage_" + m + "_error_per_s",
+                               "1/s",
+                               "standard error of that by its scatter along "
+                               "the history, slope " +
+                                 m),
+                          [c, period](const Node &n) {
+                            return n.sampling_error[c] * n.damage[c] / period;
+                          },
+                          false,
+                          true});
           list.push_back({real("damage_" + m + "_per_application",
                                "",
                                what + " per brake application, slope " + m),
@@ -398,6 +408,8 @@ namespace squeal::tribology
         const auto         starts = [&n](const std::string &start) {
           return n.compare(0, start.size(), start) == 0;
         };
+        if (n.find("_error_") != std::string::npos)
+          continue;
         if ((starts("damage_") && n.find("_per_s") != std::string::npos) ||
             starts("friction_power") || starts("wear_index_pa_m_per_s") ||
             starts("wear_rate") || starts("impacts_per_s") ||

@@ -5,6 +5,7 @@
 #include <squeal/tribology/damage/history_contradictions.h>
 #include <squeal/tribology/damage/history_damage.h>
 #include <squeal/tribology/damage/sample_spacing.h>
+#include <squeal/tribology/damage/sampling_error.h>
 #include <squeal/tribology/fatigue/open_contact.h>
 #include <squeal/tribology/fatigue/spectral.h>
 
@@ -270,11 +271,11 @@ namespace squeal::tribology
 
 
   std::size_t
-  HistoryDamage::worst_node() const
+  HistoryDamage::worst_node(const std::size_t curve) const
   {
     std::size_t worst = 0;
     for (std::size_t k = 1; k < nodes.size(); ++k)
-      if (nodes[k].damage.front() > nodes[worst].damage.front())
+      if (nodes[k].damage[curve] > nodes[worst].damage[curve])
         worst = k;
     return worst;
   }
@@ -363,6 +364,7 @@ namespace squeal::tribology
                                 : std::vector<StatusChange>();
     SurfaceSummer   summer(reader.layout(), surface, changes);
     PeakLoss        loss(fatigue, n);
+    SamplingError   sampling(window.n, n, rules.curves.size());
     Eigen::VectorXd begin; // stresses of the first sample
     bool            closed = false;
 
@@ -374,6 +376,7 @@ namespace squeal::tribology
         first = s.time[0];
       last = s.time.back();
       contradictions.add(s);
+      sampling.add_pressures(s);
       spacing.add(s.time);
       result.samples += s.n_samples();
       RowMajor stress = stresses(s, n, fatigue, none);
@@ -386,7 +389,7 @@ namespace squeal::tribology
         stress.rightCols(1) = begin;
       for (std::size_t k = 0; k < n; ++k)
         {
-          counters[k].add(stress.row(k).data(), s.n_samples());
+          sampling.count(k, stress.row(k).data(), s.n_samples(), counters[k]);
           loss.add(k, stress.row(k).data(), s.n_samples());
           if (!spectra.empty())
             spectra[k].add(stress.row(k).data(), s.n_samples());
@@ -418,7 +421,10 @@ namespace squeal::tribology
         HistoryDamage::Node &node = result.nodes[k];
         counters[k].finish();
         averaged[k].finish();
-        node.damage = counters[k].damages();
+        node.damage         = counters[k].damages();
+        node.sampling_error = closed
+                                ? std::vector<double>(node.damage.size(), 0.)
+                                : sampling.of_node(k, counters[k]);
         node.averaged =
           fatigue.averaging_length > 0. ? averaged[k].damages() : node.damage;
         damages.push_back(node.damage[loss.exponent()]);
@@ -439,7 +445,12 @@ namespace squeal::tribology
       }
     require_finite(
       result, fatigue, std::max(std::abs(lowest), std::abs(highest)));
-    result.lost = loss.finish(damages, areas);
+    result.lost           = loss.finish(damages, areas);
+    result.sampling_error = sampling.of_mean(counters, areas);
+    result.least_peak     = sampling.least_peak_of_quarters();
+    // A whole period is no sample.
+    if (closed)
+      result.sampling_error.assign(rules.curves.size(), 0.);
     for (const std::string &note : contradictions.notes(summer.sums()))
       result.notes.push_back(note);
     for (const std::string &note :
@@ -447,6 +458,7 @@ namespace squeal::tribology
           spacing.note(),
           note_of_changes(changes, reader),
           note_of_order(result, fatigue),
+          SamplingError::note(result.sampling_error, fatigue.exponents),
           PeakLoss::note(result.lost, fatigue.exponents[loss.exponent()])})
       if (!note.empty())
         result.notes.push_back(note);

@@ -4,6 +4,7 @@
 #include <squeal/parameters/choices.h>
 #include <squeal/parameters/text.h>
 #include <squeal/tribology/driver/analyses.h>
+#include <squeal/tribology/driver/damage_figures.h>
 #include <squeal/tribology/driver/damage_study.h>
 
 #include <algorithm>
@@ -13,10 +14,6 @@ namespace squeal::tribology
 {
   namespace
   {
-    /** Of the largest damage, by which the others may be lower where no place
-     * has the most. */
-    constexpr double alike = 0.005;
-
     /** Of the face of two histories of one contact mesh; areas of mortar
      * elements change a little as the bodies deform. */
     constexpr double alike_areas = 0.1;
@@ -96,18 +93,6 @@ namespace squeal::tribology
 
 
 
-    double
-    largest(const Table &table, const std::string &column)
-    {
-      double value = NAN;
-      for (const double v : table.reals(column))
-        if (!(v <= value))
-          value = v;
-      return value;
-    }
-
-
-
     /** Which of two histories @p study is; of one that is compared with none
      * nobody knows whether it squeals: its own name, or nothing. */
     Cell
@@ -134,11 +119,19 @@ namespace squeal::tribology
          {"friction_power_w", Table::Type::real, "W", "over the face", 5},
          {"impacts_per_s", Table::Type::real, "1/s", "of all nodes", 5}});
       for (const double m : p.fatigue.exponents)
-        table.add_column({"mean_damage_" + slope_name(m) + "_per_s",
-                          Table::Type::real,
-                          "1/s",
-                          "area mean of the damage",
-                          5});
+        {
+          table.add_column({"mean_damage_" + slope_name(m) + "_per_s",
+                            Table::Type::real,
+                            "1/s",
+                            "area mean of the damage",
+                            5});
+          table.add_column({"mean_damage_" + slope_name(m) + "_error_per_s",
+                            Table::Type::real,
+                            "1/s",
+                            "its standard error by the scatter along the "
+                            "history",
+                            2});
+        }
       for (const DamageStudy *study : studies)
         {
           double area = 0., pressure = 0., power = 0., impacts = 0.;
@@ -161,8 +154,12 @@ namespace squeal::tribology
                                    study->damage.has_slip_rate ? Cell(power)
                                                                : Cell(),
                                    impacts};
-          for (const double d : damage)
-            row.push_back(d / area);
+          for (std::size_t c = 0; c < damage.size(); ++c)
+            {
+              row.push_back(damage[c] / area);
+              row.push_back(
+                or_missing(study->damage.sampling_error[c] * damage[c] / area));
+            }
           table.add_row(row);
         }
       return table;
@@ -262,115 +259,6 @@ namespace squeal::tribology
 
 
 
-    RunRecord::Pairs
-    main_figures(const DamageStudy         &study,
-                 const Table               &table,
-                 const std::vector<double> &exponents)
-    {
-      const std::string slope = slope_name(exponents.back());
-      return {
-        {"nodes", std::to_string(study.grid.n_nodes())},
-        {"samples", std::to_string(study.damage.samples)},
-        {"largest pressure in MPa",
-         rounded_text(1e-6 * largest(table, "peak_pressure_pa"), 4)},
-        {"largest damage per second, " + slope,
-         rounded_text(largest(table, "damage_" + slope + "_per_s"), 4)},
-        {"part of the mean damage lost between samples, " +
-           slope_name(*std::max_element(exponents.begin(), exponents.end())),
-         PeakLoss::figure(study.damage.lost)},
-        {"points kept by a counter", std::to_string(study.damage.deepest)}};
-    }
-
-
-
-    std::string
-    why_no_damage(const Table &table, const FatigueParameters &fatigue)
-    {
-      using MeanStress   = FatigueParameters::MeanStress;
-      const double range = largest(table, "largest_range_pa");
-      if (!(range > 0.))
-        return "the contact forces do not vary";
-      const std::string up_to =
-        "with ranges of up to " + rounded_text(1e-6 * range, 3) + " MPa ";
-      if (fatigue.quantity == FatigueParameters::Quantity::pressure &&
-          (fatigue.mean_stress == MeanStress::swt ||
-           fatigue.mean_stress == MeanStress::walker))
-        return up_to +
-               "all cycles of the pressure are compressive, in which '" +
-               choice_name(fatigue.mean_stress) +
-               "' sees no damage: take another 'Mean stress'";
-      return up_to + "no cycle counts" +
-             (fatigue.endurance_limit > 0.
-                ? ": the largest stays below 'Endurance limit' = " +
-                    rounded_text(1e-6 * fatigue.endurance_limit, 3) + " MPa"
-                : " by 'Mean stress = " + choice_name(fatigue.mean_stress) +
-                    "'");
-    }
-
-
-
-    /** Where the damage is largest and how large, in words. */
-    std::string
-    damage_headline(const DamageStudy       &study,
-                    const Table             &table,
-                    const Table             &sums,
-                    const FatigueParameters &fatigue)
-    {
-      const std::string column =
-        "damage_" + slope_name(fatigue.exponents.front()) + "_per_s";
-      const std::vector<double> damage = table.reals(column);
-      const std::size_t         worst  = study.damage.worst_node();
-      const std::string        &pair   = study.reader.layout().pair;
-      const std::string         face =
-        pair.empty() ? "the face" : "the face of " + pair;
-      if (!(damage[worst] > 0.))
-        return "no damage on " + face + ": " + why_no_damage(table, fatigue);
-      const std::string slope = " (slope " +
-                                slope_name(fatigue.exponents.front()) + ")" +
-                                (fatigue.constants.empty() ? ", an index" : "");
-      const double least = *std::min_element(damage.begin(), damage.end());
-      if (least >= (1. - alike) * damage[worst])
-        return "the same damage all over " + face + slope;
-      const auto   place = study.grid.place(worst);
-      const double along = study.grid.share_of_way(worst);
-      return "most damage " +
-             std::string(!std::isfinite(along) ? "at one place"
-                         : along < 0.25        ? "near the leading edge"
-                         : along <= 0.75       ? "in the middle"
-                                               : "near the trailing edge") +
-             " of " + face + ", at x = " + rounded_text(1e3 * place[0], 3) +
-             " mm, y = " + rounded_text(1e3 * place[1], 3) + " mm: " +
-             rounded_text(damage[worst] / sums.real(0, "mean_" + column), 3) +
-             " times the mean of the face" + slope;
-    }
-
-
-
-    /** Mean damage over that of the silent run, for each slope with its name;
-     * the numbers alone are added to @p figures. */
-    std::string
-    ratios_to_silent(const Table               &sums,
-                     const std::vector<double> &exponents,
-                     RunRecord::Pairs          &figures)
-    {
-      std::vector<std::string> ratios;
-      for (const double m : exponents)
-        {
-          const std::string column = "mean_damage_" + slope_name(m) + "_per_s";
-          const double      quiet  = sums.real(1, column);
-          ratios.push_back(quiet > 0.
-                             ? rounded_text(sums.real(0, column) / quiet, 3) +
-                                 " (slope " + slope_name(m) + ")"
-                             : "infinitely many (" + slope_name(m) + ")");
-          figures.emplace_back(
-            "squealing over silent, " + slope_name(m),
-            ratios.back().substr(0, ratios.back().find(' ')));
-        }
-      return prm::join(ratios, ", ");
-    }
-
-
-
     /** The pairs that are looked at; one without a name of a history that has
      * but one. */
     std::vector<std::string>
@@ -430,7 +318,7 @@ namespace squeal::tribology
       write_maps(context, *r.study, r.table);
       if (p.output.plots && context.plotter.is_available())
         draw_damage_pictures(context, *r.study, r.table, r.silent != nullptr);
-      r.figures  = main_figures(*r.study, r.table, p.fatigue.exponents);
+      r.figures  = damage_figures(*r.study, r.table, p.fatigue.exponents);
       r.headline = damage_headline(*r.study, r.table, r.sums, p.fatigue);
       if (r.silent)
         r.headline += "; the face takes " +

@@ -23,7 +23,7 @@ namespace squeal::tribology
   DamageCounter::DamageCounter(const CountingRules &rules)
     : rules(&rules)
     , counter(rules.residue)
-    , sums(rules.curves.size(), 0.)
+    , miner(rules.curves.size(), 0.)
     , straight_sums(rules.straight_curves.size(), 0.)
     , range_mean(rules.empty_matrix)
   {
@@ -67,6 +67,7 @@ namespace squeal::tribology
                           const double mean,
                           const double c) { take(range, mean, c); });
     flush();
+    sums = miner;
     for (std::size_t i = 0; i < curves_of_damage.size(); ++i)
       sums[i] = curves_of_damage[i].share();
   }
@@ -97,13 +98,12 @@ namespace squeal::tribology
       for (std::size_t i = 0; i < n_waiting; ++i)
         amplitudes[i] =
           rules->correction.equivalent_amplitude(amplitudes[i], means[i]);
-    for (std::size_t c = 0; c < sums.size(); ++c)
+    for (std::size_t c = 0; c < miner.size(); ++c)
       {
         rules->curves[c].damage(amplitudes.data(), n_waiting, damages.data());
-        if (curves_of_damage.empty())
-          for (std::size_t i = 0; i < n_waiting; ++i)
-            sums[c] += counts[i] * damages[i];
-        else
+        for (std::size_t i = 0; i < n_waiting; ++i)
+          miner[c] += counts[i] * damages[i];
+        if (!curves_of_damage.empty())
           for (std::size_t i = 0; i < n_waiting; ++i)
             curves_of_damage[c].add(counts[i], damages[i]);
       }
@@ -116,6 +116,21 @@ namespace squeal::tribology
   DamageCounter::damages() const
   {
     return sums;
+  }
+
+
+
+  const std::vector<double> &
+  DamageCounter::closed_damages()
+  {
+    flush();
+    return miner;
+  }
+
+  const std::vector<double> &
+  DamageCounter::miner_sums() const
+  {
+    return miner;
   }
 
 

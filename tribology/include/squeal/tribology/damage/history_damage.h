@@ -21,6 +21,8 @@ namespace squeal::tribology
       /** Share of the life that the history takes where it repeats, for each
        * curve: of its own stress. */
       std::vector<double> damage;
+      /** Relative standard error of that by SamplingError, NaN: not known. */
+      std::vector<double> sampling_error;
       std::vector<double> averaged; /**< of the averaged stress */
       std::vector<double> dirlik;   /**< 1/s, empty if not asked for */
       /** What is counted to compare with it: on straight S-N lines, without
@@ -31,9 +33,9 @@ namespace squeal::tribology
       SurfaceSums         surface;
     };
 
-    /** The node with the largest damage of the first exponent: the one that
-     * headlines and pictures speak of. The first of several alike. */
-    std::size_t worst_node() const;
+    /** The node with the largest damage of exponent number @p curve; of the
+     * first one headlines and pictures speak. The first of several alike. */
+    std::size_t worst_node(std::size_t curve = 0) const;
 
     double duration = 0.; /**< s, from the first to the last sample */
     /** Time that the counted cycles take, s: the duration, or the period of a
@@ -41,8 +43,13 @@ namespace squeal::tribology
     double period = 0.;
     /** Of the mean damage of the largest exponent (PeakLoss). */
     LostDamage lost;
-    bool       has_slip_rate  = false; /**< in the history */
-    bool       has_stick_slip = false; /**< it tells sticking from slipping */
+    /** Relative standard errors of the mean damage, for each curve, and the
+     * least of the peaks of the face in quarters of the history, Pa; NaN where
+     * these are not known. */
+    std::vector<double> sampling_error;
+    double              least_peak    = 0.;
+    bool                has_slip_rate = false; /**< in the history */
+    bool has_stick_slip = false; /**< it tells sticking from slipping */
     std::uint64_t                samples = 0;
     std::size_t                  deepest = 0; /**< points kept by a counter */
     std::vector<Node>            nodes;

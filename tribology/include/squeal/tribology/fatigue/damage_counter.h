@@ -53,6 +53,13 @@ namespace squeal::tribology
     /** Damage for each curve; valid after finish(). */
     const std::vector<double> &damages() const;
 
+    /** Miner's sums for each curve of the cycles that have been closed so far,
+     * by whatever damage accumulates. */
+    const std::vector<double> &closed_damages();
+
+    /** The same of all cycles; valid after finish(). */
+    const std::vector<double> &miner_sums() const;
+
     /** Damage for each straight curve, empty if the rules have none. */
     const std::vector<double> &straight_damages() const;
 
@@ -77,7 +84,7 @@ namespace squeal::tribology
     RainflowCounter                counter;
     std::array<double, batch>      ranges, means, counts;
     std::size_t                    n_waiting = 0;
-    std::vector<double>            sums, straight_sums;
+    std::vector<double>            miner, sums, straight_sums;
     std::vector<MansonHalford>     curves_of_damage;
     double                         cycles  = 0.;
     double                         largest = 0.;
