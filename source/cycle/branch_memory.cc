@@ -184,6 +184,9 @@ namespace squeal
       throw InputError("parameter " + std::to_string(parameter) +
                        ": not a periodic motion of this branch");
     motion.status = CycleStatus::converged;
+    if (motion.is_held)
+      if (const auto located = located_anew(*map, motion))
+        motion.left_open.residual = located->residual;
     return point_of(*map, std::move(motion), parameter);
   }
 

@@ -207,6 +207,8 @@ namespace squeal
             const double now = point.motion.residual;
             if (now <= settings.shooting.tolerance)
               {
+                if (is_held && !keeps_when_located())
+                  return {};
                 point.motion.status = CycleStatus::converged;
                 return point;
               }
@@ -251,6 +253,18 @@ namespace squeal
         point.motion.iterations = iteration;
         point.motion.history.push_back(point.motion.residual);
         return !is_steady(*map, point.motion.orbit);
+      }
+
+      /** Whether the motion, whose changes of status are held, is about
+       * periodic with those located on it, too. */
+      bool
+      keeps_when_located()
+      {
+        const auto located = located_anew(*map, point.motion);
+        if (!located)
+          return false;
+        point.motion.left_open.residual = located->residual;
+        return located->residual < settings.shooting.largest_left_open;
       }
 
       PeriodEquations

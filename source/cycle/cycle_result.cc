@@ -44,17 +44,19 @@ namespace squeal
   double
   CycleResult::frequency_error() const
   {
-    return error_by_steps(figures.frequency, coarse_figures.frequency);
+    return std::max(error_by_steps(figures.frequency, coarse_figures.frequency),
+                    motion.left_open.period * figures.frequency);
   }
 
   double
   CycleResult::rms_normal_error() const
   {
     return std::max(
-      force_error(&ForceFigures::rms_normal),
-      error_by_steps(rms_of_difference(figures.normal_harmonics,
-                                       coarse_forces().normal_harmonics),
-                     0.));
+      {force_error(&ForceFigures::rms_normal),
+       error_by_steps(rms_of_difference(figures.normal_harmonics,
+                                        coarse_forces().normal_harmonics),
+                      0.),
+       motion.left_open.motion * figures.rms_normal});
   }
 
   double

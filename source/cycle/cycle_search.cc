@@ -39,6 +39,9 @@ namespace squeal
     constexpr double decays_of_settling = 5.;
     /** Room for that of the period while it is sought. */
     constexpr double growth_of_period = 1.1;
+    /** What held changes of status may leave open of the motion by half of the
+     * steps, which is the start of the one by all. */
+    constexpr double largest_left_open_of_start = 0.1;
     /** @p n steps of @p period, or as many more as are stable when @p factor of
      * them are one. */
     unsigned int
@@ -104,13 +107,15 @@ namespace squeal
     {
       ShootingSettings shooting{
         n_steps / 2, settings.iterations, settings.tolerance};
-      result.motion = {};
-      result.coarse = shoot(map, start, guess, shooting);
+      result.motion              = {};
+      shooting.largest_left_open = largest_left_open_of_start;
+      result.coarse              = shoot(map, start, guess, shooting);
       if (result.coarse.status != CycleStatus::converged)
         return;
-      shooting.n_steps       = n_steps;
-      shooting.holds_at_once = result.coarse.is_held;
-      result.motion          = shoot(map,
+      shooting.n_steps           = n_steps;
+      shooting.holds_at_once     = result.coarse.is_held;
+      shooting.largest_left_open = ShootingSettings().largest_left_open;
+      result.motion              = shoot(map,
                             result.coarse.orbit.states.front(),
                             result.coarse.period,
                             shooting);

@@ -130,6 +130,23 @@ namespace squeal
     return vibration(map, orbit) < at_rest;
   }
 
+  std::optional<PeriodicMotion>
+  located_anew(const PeriodMap &map, const PeriodicMotion &motion)
+  {
+    const Orbit   &orbit = motion.orbit;
+    PeriodicMotion located;
+    if (!try_orbit(map,
+                   orbit.states.front(),
+                   motion.period,
+                   orbit.n_steps(),
+                   orbit.past_of(orbit.n_steps()),
+                   nullptr,
+                   located,
+                   &orbit))
+      return {};
+    return located;
+  }
+
   bool
   try_orbit(const PeriodMap       &map,
             const MotionState     &start,

@@ -169,13 +169,21 @@ namespace squeal
               motion.status = CycleStatus::steady_sliding;
             else if (is_there() && !has_located_anew())
               {
-                motion.status = CycleStatus::converged;
                 run_alone();
+                if (is_held())
+                  motion.left_open = what_is_left_open();
+                if (motion.left_open.residual < settings.largest_left_open)
+                  motion.status = CycleStatus::converged;
+                return motion;
               }
             if (motion.status != CycleStatus::not_converged ||
                 motion.iterations >= settings.iterations || !improve())
-              return motion;
+              break;
           }
+        if (is_held() && motion.status == CycleStatus::not_converged)
+          if (const auto located = located_anew(map, motion))
+            motion.left_open.residual = located->residual;
+        return motion;
       }
 
     private:
@@ -274,20 +282,12 @@ namespace squeal
       {
         if (!is_held() || held_at < Rule::near_enough)
           return false;
-        const double   before = std::exchange(held_at, 0.);
-        PeriodicMotion located;
-        if (!try_orbit(map,
-                       motion.orbit.states.front(),
-                       motion.period,
-                       settings.n_steps,
-                       motion.orbit.past_of(settings.n_steps),
-                       nullptr,
-                       located,
-                       &motion.orbit) ||
-            !(located.residual < Rule::near_enough ||
-              located.residual < Rule::much_nearer * before))
+        const double before  = std::exchange(held_at, 0.);
+        auto         located = located_anew(map, motion);
+        if (!located || !(located->residual < Rule::near_enough ||
+                          located->residual < Rule::much_nearer * before))
           return false;
-        take(located);
+        take(*located);
         if (motion.residual < Rule::near_enough)
           {
             held.reset();
@@ -296,6 +296,29 @@ namespace squeal
         else
           hold();
         return true;
+      }
+
+      /** Of the motion, which is periodic as it is held. */
+      HeldChanges
+      what_is_left_open()
+      {
+        HeldChanges result;
+        const auto  located = located_anew(map, motion);
+        if (!located)
+          {
+            result.residual = std::numeric_limits<double>::max();
+            return result;
+          }
+        result.residual = located->residual;
+        if (const std::vector<int> rows = map.closed_rows(motion.orbit);
+            !linear || linear->rows != rows)
+          linear.emplace(map, motion, rows, StatusChanges::held);
+        const Eigen::VectorXd change = linear->step(*located);
+        const Eigen::Index    n      = change.size() - 1;
+        result.period                = std::abs(change[n]);
+        result.motion                = change.head(n).norm() /
+                        motion_size(map.reduced_model(), motion.orbit);
+        return result;
       }
 
       const PeriodMap               &map;

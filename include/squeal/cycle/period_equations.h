@@ -4,6 +4,8 @@
 
 #include <squeal/cycle/shooting.h>
 
+#include <optional>
+
 namespace squeal
 {
   /** States at the rows of the forces that count as vectors whose entries are
@@ -47,6 +49,11 @@ namespace squeal
                  const StepCorrections *held,
                  PeriodicMotion        &motion,
                  const Orbit           *neighbour = nullptr);
+
+  /** @p motion, whose changes of status have been held, over its period again
+   * with the changes located on it; none where a step has no solution. */
+  std::optional<PeriodicMotion> located_anew(const PeriodMap      &map,
+                                             const PeriodicMotion &motion);
 
   /** When the changes of status within steps are no longer located anew: the
    * steps jump a little where a change of one node disturbs what is told from

@@ -19,6 +19,18 @@ namespace squeal
     aperiodic       /**< the same, and it lasts: its forces no longer change */
   };
 
+  /** What changes of status that were held, those of another motion, leave open
+   * of one that is periodic with them. */
+  struct HeldChanges
+  {
+    /** What it misses its start by with its changes located on it, in the
+     * measure of its residual. */
+    double residual = 0.;
+    /** What the period and the motion change by for that, in a step of Newton's
+     * method, in shares of the period and of the size of the motion. */
+    double period = 0., motion = 0.;
+  };
+
   /** A periodic motion, or what the iterations have made of one. */
   struct PeriodicMotion
   {
@@ -29,7 +41,8 @@ namespace squeal
     unsigned int        iterations = 0;
     std::vector<double> history; /**< residuals before every iteration */
     /** Its steps have taken the corrections of another orbit. */
-    bool is_held = false;
+    bool        is_held = false;
+    HeldChanges left_open; /**< of one that is held */
   };
 
   struct ShootingSettings
@@ -39,6 +52,9 @@ namespace squeal
     double       tolerance  = 1e-6;
     /** The start is that of a motion whose changes of status were held. */
     bool holds_at_once = false;
+    /** A motion whose held changes leave a larger residual open is none of the
+     * model and has not converged. */
+    double largest_left_open = 1e-2;
   };
 
   /**

@@ -94,7 +94,8 @@ namespace squeal
         {{"residual",
           Type::real,
           "",
-          "what the state misses after a period, over the motion",
+          "what the state misses after a period, over the motion, with the "
+          "changes of status located on it",
           3},
          [](const CycleRow &row) { return or_missing(row.residual); }},
         {{"n_iterations",
@@ -116,8 +117,9 @@ namespace squeal
       c.motion.history.empty() ? c.coarse : c.motion;
     return {c.figures,
             c.multipliers,
-            furthest.history.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                     : furthest.residual,
+            furthest.history.empty()
+              ? std::numeric_limits<double>::quiet_NaN()
+              : std::max(furthest.residual, furthest.left_open.residual),
             c.coarse.iterations + c.motion.iterations,
             c.has_converged()};
   }
@@ -125,8 +127,11 @@ namespace squeal
   CycleRow
   cycle_row(const BranchPoint &x)
   {
-    return {
-      x.figures, x.multipliers, x.motion.residual, x.motion.iterations, true};
+    return {x.figures,
+            x.multipliers,
+            std::max(x.motion.residual, x.motion.left_open.residual),
+            x.motion.iterations,
+            true};
   }
 
 
