@@ -38,4 +38,10 @@ namespace squeal
     return print(std::chars_format::fixed,
                  std::max(0, n_digits - 1 - exponent));
   }
+
+  std::string
+  counted(const std::size_t n, const std::string &word)
+  {
+    return std::to_string(n) + " " + word + (n == 1 ? "" : "s");
+  }
 } // namespace squeal

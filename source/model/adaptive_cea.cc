@@ -79,6 +79,36 @@ namespace squeal
              !ModulusTables(model.parameters().scene).depend_on_frequency();
     }
 
+    /** Of a frequency, from which on quadratic elements are so rough that what
+     * they change of a growth rate says little of what is left. */
+    constexpr double rough = 0.01;
+
+    /** Warns of growing pairs of quadratic elements that are so rough. */
+    void
+    warn_of_rough_mesh(const Model        &model,
+                       const ComplexPairs &pairs,
+                       const PairErrors   &errors,
+                       RunLog             &log)
+    {
+      unsigned int n_rough = 0;
+      double       largest = 0.;
+      for (Eigen::Index k = 0; k < errors.lambda.size(); ++k)
+        if (const double share =
+              std::abs(errors.lambda[k].imag()) / std::abs(pairs.lambda[k]);
+            grows(pairs, k) && share > rough)
+          {
+            ++n_rough;
+            largest = std::max(largest, share);
+          }
+      if (n_rough > 0 && model.discretization()->degree() == 2)
+        log.warning("the mesh shifts the frequencies of " +
+                    counted(n_rough, "growing pair") + " by up to " +
+                    rounded_text(100. * largest, 2) +
+                    " %: on so rough a mesh growth rates need not near their "
+                    "limit from one side, and their mesh errors may be five "
+                    "times too small; raise Discretization/Degree or refine");
+    }
+
     /** Puts better errors of growing pairs in the place of those of the cells,
      * where they are known, and says where those of the cells stay: they know
      * little. */
@@ -104,6 +134,7 @@ namespace squeal
                 error.real(), error.imag(), pairs.lambda[k]));
             }
         }
+      warn_of_rough_mesh(model, pairs, errors, log);
       if (n_by_cells == 0)
         return;
       const std::string text =

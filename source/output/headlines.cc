@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <squeal/base/number_text.h>
 #include <squeal/output/headlines.h>
 #include <squeal/output/open_signs.h>
 #include <squeal/parameters/entry_traits.h>
@@ -26,12 +27,6 @@ namespace squeal
     percent(const double share)
     {
       return rounded_text(100. * share, 3);
-    }
-
-    std::string
-    counted(const std::size_t n, const std::string &word)
-    {
-      return std::to_string(n) + " " + word + (n == 1 ? "" : "s");
     }
 
     /** "mu = 0.2", with the unit of the entry. */

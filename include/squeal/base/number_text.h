@@ -2,6 +2,7 @@
 #ifndef squeal_base_number_text_h
 #define squeal_base_number_text_h
 
+#include <cstddef>
 #include <string>
 
 namespace squeal
@@ -12,6 +13,9 @@ namespace squeal
   /** @p value rounded to @p n_digits significant digits; no exponent between
    * 1e-4 and 10^max(n_digits, 6). */
   std::string rounded_text(double value, int n_digits);
+
+  /** "1 pair", "2 pairs". */
+  std::string counted(std::size_t n, const std::string &word);
 } // namespace squeal
 
 #endif
