@@ -137,14 +137,21 @@ namespace squeal::tribology
     std::vector<std::string> ratios;
     for (const double m : exponents)
       {
-        const std::string column = "mean_damage_" + slope_name(m) + "_per_s";
-        const double      quiet  = sums.real(1, column);
-        ratios.push_back(quiet > 0.
-                           ? rounded_text(sums.real(0, column) / quiet, 3) +
-                               " (slope " + slope_name(m) + ")"
-                           : "infinitely many (" + slope_name(m) + ")");
-        figures.emplace_back("squealing over silent, " + slope_name(m),
-                             ratios.back().substr(0, ratios.back().find(' ')));
+        const std::string mean   = "mean_damage_" + slope_name(m);
+        const double      damage = sums.real(0, mean + "_per_s"),
+                     quiet       = sums.real(1, mean + "_per_s");
+        std::string ratio        = "infinitely many";
+        if (quiet > 0.)
+          {
+            const auto share = [&](const std::size_t i, const double of) {
+              return of > 0. ? sums.real(i, mean + "_error_per_s") / of : 0.;
+            };
+            const double error = std::hypot(share(0, damage), share(1, quiet));
+            ratio              = rounded_text(damage / quiet, 3) +
+                    (std::isnan(error) ? "" : error_text(error));
+          }
+        ratios.push_back(ratio + " (slope " + slope_name(m) + ")");
+        figures.emplace_back("squealing over silent, " + slope_name(m), ratio);
       }
     return prm::join(ratios, ", ");
   }
