@@ -269,11 +269,10 @@ namespace squeal
           const std::string name = name_of_group(file.surface_names, tag);
           if (!is_wanted(name))
             continue;
-          if (is_ambiguous(file.surface_names, tags, name))
-            selection.fail("has on the body a physical surface of the name '" +
-                           name +
-                           "' and another of this number without a name: name "
-                           "it, too");
+          if (const std::string two = two_meanings_of(
+                name, file.surface_names, tags, "physical surface");
+              !two.empty())
+            selection.fail("has on the body " + two);
           const auto it = std::find(face_names.begin(), face_names.end(), name);
           const int  number = it - face_names.begin();
           if (it == face_names.end())

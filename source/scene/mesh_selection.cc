@@ -80,16 +80,25 @@ namespace squeal
     return it == names.end() ? std::to_string(tag) : it->second;
   }
 
-  bool
-  is_ambiguous(const std::map<int, std::string> &names,
-               const std::set<int>              &tags,
-               const std::string                &word)
+  std::string
+  two_meanings_of(const std::string                &word,
+                  const std::map<int, std::string> &names,
+                  const std::set<int>              &tags,
+                  const std::string                &kind)
   {
-    bool is_name = false, is_number = false;
+    std::vector<int> named, numbered;
     for (const int tag : tags)
       if (name_of_group(names, tag) == word)
-        (names.count(tag) > 0 ? is_name : is_number) = true;
-    return is_name && is_number;
+        (names.count(tag) > 0 ? named : numbered).push_back(tag);
+    const std::string named_so = "a " + kind + " of the name '" + word + "'";
+    if (named.size() > 1)
+      return named_so + " twice, with the numbers " + std::to_string(named[0]) +
+             " and " + std::to_string(named[1]) +
+             ": give each a name of its own";
+    if (!named.empty() && !numbered.empty())
+      return named_so +
+             " and another of this number without a name: name it, too";
+    return "";
   }
 
   MeshSelection::MeshSelection(const MeshFile &file, const BodyParameters &body)
@@ -137,10 +146,10 @@ namespace squeal
           tags.insert(tag);
     for (const int tag : tags)
       names.insert(name_of_group(file.volume_names, tag));
-    if (is_ambiguous(file.volume_names, tags, body.physical_volume))
-      fail("has a " + word_for_volume(body) + " of the name '" +
-           body.physical_volume +
-           "' and another of this number without a name: name it, too");
+    if (const std::string two = two_meanings_of(
+          body.physical_volume, file.volume_names, tags, word_for_volume(body));
+        !two.empty())
+      fail("has " + two);
     if (names.count(body.physical_volume) > 0)
       return;
     std::string list;

@@ -8,6 +8,7 @@
 
 #include "gmsh_cube.h"
 
+#include <algorithm>
 #include <filesystem>
 
 using namespace squeal;
@@ -207,6 +208,42 @@ namespace
       "a number stands for a volume without a name");
   }
 
+  /** Two groups of one name: neither is meant more than the other. */
+  void
+  names_given_twice()
+  {
+    const std::string two = version_2(Cube()), four = version_4(Cube());
+    for (const auto &text : {two, four})
+      {
+        const std::string surfaces =
+          replaced(text, "2 2 \"right side\"", "2 2 \"left\"");
+        refuses(surfaces,
+                "a physical surface of the name 'left' twice, with the numbers "
+                "1 and 2",
+                "two surfaces of one name on the body");
+        const std::string volumes =
+          replaced(text, "3 12 \"upper\"", "3 12 \"lower\"");
+        refuses(volumes,
+                "a physical volume of the name 'lower' twice, with the numbers "
+                "11 and 12",
+                "two volumes of one name",
+                "lower");
+        check(read(volumes).cells.size() == 8,
+              "nothing is asked of names where all volumes make the body");
+      }
+    // Of the left side the lower half is surface 1, the upper one surface 4.
+    std::string apart =
+      replaced(two, "$PhysicalNames\n5\n", "$PhysicalNames\n6\n2 4 \"left\"\n");
+    for (const std::string element : {"\n3 3 2 ", "\n5 3 2 "})
+      apart = replaced(apart, element + "1", element + "4");
+    for (const char *half : {"lower", "upper"})
+      {
+        const auto faces = read(apart, half).face_names;
+        check(std::count(faces.begin(), faces.end(), "left") == 1,
+              "surfaces of one name on two bodies are a face of each");
+      }
+  }
+
   /** Two bodies of one file that share the nodes of the middle plane. */
   void
   shared_nodes()
@@ -263,4 +300,5 @@ main()
   unreadable_files();
   unusable_meshes();
   names_that_are_numbers();
+  names_given_twice();
 }

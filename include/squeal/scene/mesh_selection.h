@@ -11,11 +11,13 @@ namespace squeal
   std::string name_of_group(const std::map<int, std::string> &names,
                             const int                         tag);
 
-  /** Whether one of the groups @p tags has this name and another, which has
-   * none, this number, so that the word may mean either. */
-  bool is_ambiguous(const std::map<int, std::string> &names,
-                    const std::set<int>              &tags,
-                    const std::string                &word);
+  /** Why @p word may mean more than one of the groups @p tags, each a @p kind
+   * (physical surface, ...): two have this name, or one has it and another,
+   * which has none, this number. "" where it does not. */
+  std::string two_meanings_of(const std::string                &word,
+                              const std::map<int, std::string> &names,
+                              const std::set<int>              &tags,
+                              const std::string                &kind);
 
   /** The cells of a mesh file that make a body: all, or those of its physical
    * volume, element set or property. */
