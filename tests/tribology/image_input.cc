@@ -177,7 +177,7 @@ namespace
                              "'Segmentation/Pad points = 0,0,1,1,2,2'";
     const std::tuple<std::string, std::string, std::string> cases[] = {
       {"empty.png", "", "empty"},
-      {"noise.png", "", "no PNG, TIFF or JPEG"},
+      {"noise.png", "", "no PNG, TIFF, JPEG or BMP"},
       {"cut.png", "", "truncated"},
       {"tiny.png", "", "at least 32"},
       {"folder.png", "", "directory"},

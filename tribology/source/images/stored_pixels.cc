@@ -37,8 +37,8 @@ namespace squeal::tribology
     [[noreturn]] void
     refuse_format(const std::string &path)
     {
-      throw InputError(path + " is no PNG, TIFF or JPEG image, or it is "
-                              "damaged");
+      throw InputError(path + " is no PNG, TIFF, JPEG or BMP image, or it "
+                              "is damaged");
     }
 
 

@@ -244,8 +244,8 @@ namespace squeal::tribology
     schema.add("Images",
                images.images,
                Allowed::list(Allowed::file()),
-               "Image files of 8 or 16 bit (PNG, TIFF, JPEG), one image a "
-               "file; * and ? stand for any letters where no file has that "
+               "Image files of 8 or 16 bit (PNG, TIFF, JPEG, BMP), one image "
+               "a file; * and ? stand for any letters where no file has that "
                "very name.");
     schema.add("Pixel size",
                images.pixel_size,
