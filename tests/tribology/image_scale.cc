@@ -10,6 +10,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
+
 #include "tiff_file.h"
 
 using namespace squeal;
@@ -250,6 +252,93 @@ namespace
                 1e-12,
                 "unless the pixel size is given");
   }
+
+
+
+  /** All numbers of a JEOL text may have decimal commas. */
+  void
+  check_commas_of_jeol()
+  {
+    cv::Mat values(64, 64, CV_8U, cv::Scalar(90));
+    values.row(0) = 91;
+    write_png("commas.png", values);
+    const auto read_with = [](std::string text) {
+      write_text("commas.txt", text);
+      const Micrograph m = read_micrograph("commas.png", 0.);
+      check(m.metadata.stage.has_value() && m.metadata.size.has_value(),
+            "stage and size of the picture");
+      return m;
+    };
+    const std::string text   = "$CM_FULL_SIZE 64 64\r\n"
+                               "$CM_STAGE_POS -1.25 2.5 10.5 0 0 0\r\n"
+                               "$$SM_SCAN_ROTATION 0.5\r\n"
+                               "$$SM_MICRON_BAR 100.5\r\n"
+                               "$$SM_MICRON_MARKER 50.25um\r\n";
+    std::string       commas = text;
+    std::replace(commas.begin(), commas.end(), '.', ',');
+    for (const std::string &written : {text, commas})
+      {
+        const Micrograph m = read_with(written);
+        check_close(m.pixel_size, 0.5, 1e-12, "the size of a pixel, um");
+        check_close(m.metadata.scan_rotation, 0.5, 1e-12, "the scan, degrees");
+        check_close(m.metadata.stage->x, -1250., 1e-12, "the stage, um");
+        check_close(m.metadata.stage->y, 2500., 1e-12, "the stage, um");
+        check(*m.metadata.size == cv::Size(64, 64), "the size of the picture");
+      }
+  }
+
+
+
+  Micrograph
+  with_fei_tags(const std::string &tags, const double pixel_size)
+  {
+    cv::Mat values(64, 64, CV_8U, cv::Scalar(90));
+    values.row(0) = 91;
+    write_text("height.tif", tiff_file({{values, 1, 0, 34682u, tags}}));
+    return read_micrograph("height.tif", pixel_size);
+  }
+
+  /** A height of pixels that is stated and no length leaves their shape
+   * open. */
+  void
+  check_heights_of_fei()
+  {
+    const std::string width = "[Scan]\r\nPixelWidth=1e-6\r\nPixelHeight=";
+    for (const char *height : {"nan", "-1e-6", "0", "inf", "square"})
+      {
+        check_throws<InputError>(
+          [&]() { with_fei_tags(width + height + "\r\n", 0.); },
+          "'PixelHeight=" + std::string(height) + "' of its FEI tags",
+          std::string("no scale by a height of ") + height);
+        check_close(with_fei_tags(width + height + "\r\n", 2.).pixel_size,
+                    2.,
+                    1e-12,
+                    "unless the pixel size is given");
+      }
+    check_close(with_fei_tags(width + "\r\n", 0.).pixel_size,
+                1.,
+                1e-12,
+                "none is stated");
+    check_close(
+      with_fei_tags(width + "4e-6\r\n", 0.).metadata.aspect, 4., 1e-12, "high");
+  }
+
+  /** Pixels of 1 m come from a wrong unit. */
+  void
+  check_wide_views()
+  {
+    const auto warnings_of = [](const std::string &width) {
+      return with_fei_tags("[Scan]\r\nPixelWidth=" + width + "\r\n", 0.)
+        .warnings;
+    };
+    check(warnings_of("1e-3").empty(), "a view of 64 mm");
+    const auto warnings = warnings_of("1");
+    check(warnings.size() == 1 &&
+            warnings[0].find("it shows 64.0 m, more than any brake has, by "
+                             "pixels of 1.000e+06 um (FEI tags)") == 0,
+          "a view of 64 m is warned of: " +
+            (warnings.empty() ? "" : warnings[0]));
+  }
 } // namespace
 
 
@@ -258,6 +347,9 @@ int
 main()
 {
   check_units_of_jeol();
+  check_commas_of_jeol();
+  check_heights_of_fei();
+  check_wide_views();
   check_scale_bars();
   check_labelled_scale_bars();
   check_place_of_scale_bar();

@@ -159,6 +159,47 @@ namespace squeal::tribology
 
 
 
+    /** Bytes that are no ASCII may be of any encoding and are left out. */
+    std::string
+    in_ascii(std::string line)
+    {
+      line.erase(
+        std::remove_if(line.begin(),
+                       line.end(),
+                       [](const char c) { return c < ' ' || c > '~'; }),
+        line.end());
+      return line;
+    }
+
+
+
+    /** Makes the edge of a pixel of FEI tags that of a square as large as the
+     * pixel, or none where its height is stated and no length. */
+    void
+    take_height(ImageMetadata &m, const std::string &text)
+    {
+      const std::string key    = "PixelHeight";
+      const auto        stated = value_of(text, key);
+      if (!m.pixel_size || !(*m.pixel_size > 0.) || !stated ||
+          stated->find_first_not_of(" \t\r") == std::string::npos)
+        return;
+      const double height = length_of(text, key, 1e6).value_or(0.);
+      if (!(height > 0.))
+        {
+          m.pixel_size.reset();
+          m.without_scale = "'" + in_ascii(key + "=" + *stated) +
+                            "' of its FEI tags is no length above 0, and "
+                            "nothing else tells the shape of its pixels";
+          return;
+        }
+      if (std::abs(height / *m.pixel_size - 1.) <= rounding_of_pixels)
+        return;
+      m.aspect     = height / *m.pixel_size;
+      m.pixel_size = std::sqrt(height * *m.pixel_size);
+    }
+
+
+
     /** FEI: pixels have a width and a height, which scans can make unequal;
      * angles are in radians. */
     ImageMetadata
@@ -166,13 +207,7 @@ namespace squeal::tribology
     {
       ImageMetadata m =
         from_keys(text, "FEI tags", "PixelWidth", "StageX", "StageY", 1e6);
-      const auto height = length_of(text, "PixelHeight", 1e6);
-      if (m.pixel_size && height && *m.pixel_size > 0. && *height > 0. &&
-          std::abs(*height / *m.pixel_size - 1.) > rounding_of_pixels)
-        {
-          m.aspect     = *height / *m.pixel_size;
-          m.pixel_size = std::sqrt(*height * *m.pixel_size);
-        }
+      take_height(m, text);
       const auto columns = number_and_unit(value_of(text, "ResolutionX"));
       const auto rows    = number_and_unit(value_of(text, "ResolutionY"));
       if (columns && rows)
@@ -234,18 +269,24 @@ namespace squeal::tribology
 
 
 
-    /** Why @p line tells no scale. Bytes that are no ASCII may be of any
-     * encoding and are left out. */
+    /** Why @p line tells no scale. */
     std::string
-    no_length(std::string line)
+    no_length(const std::string &line)
     {
-      line.erase(
-        std::remove_if(line.begin(),
-                       line.end(),
-                       [](const char c) { return c < ' ' || c > '~'; }),
-        line.end());
-      return "'" + line +
+      return "'" + in_ascii(line) +
              "' of its JEOL text is no length in pm, nm, um, mm, cm or m";
+    }
+
+
+
+    /** The next word of a JEOL text, which is a number. */
+    std::optional<double>
+    next_number(std::istream &words)
+    {
+      std::string word;
+      words >> word;
+      const auto number = number_and_unit(with_decimal_point(word));
+      return number ? std::optional(number->first) : std::nullopt;
     }
 
 
@@ -264,7 +305,7 @@ namespace squeal::tribology
           std::string        key;
           words >> key;
           if (key == "$$SM_MICRON_BAR")
-            words >> bar;
+            bar = next_number(words).value_or(0.);
           else if (key == "$$SM_MICRON_MARKER")
             {
               std::string value;
@@ -275,21 +316,21 @@ namespace squeal::tribology
             }
           else if (key == "$$SM_SCAN_ROTATION")
             {
-              double angle;
-              if (words >> angle && std::isfinite(angle))
-                m.scan_rotation = std::remainder(angle, 360.);
+              const auto angle = next_number(words);
+              m.scan_rotation  = std::remainder(angle.value_or(0.), 360.);
             }
           else if (key == "$CM_FULL_SIZE")
             {
-              double columns, rows;
-              if (words >> columns >> rows)
-                m.size = size_of(columns, rows);
+              const auto columns = next_number(words),
+                         rows    = next_number(words);
+              if (columns && rows)
+                m.size = size_of(*columns, *rows);
             }
           else if (key == "$CM_STAGE_POS")
             {
-              double x, y;
-              if (words >> x >> y)
-                m.stage = cv::Point2d(1e3 * x, 1e3 * y);
+              const auto x = next_number(words), y = next_number(words);
+              if (x && y)
+                m.stage = cv::Point2d(1e3 * *x, 1e3 * *y);
             }
         }
       if (bar > 0. && marker > 0.)
@@ -328,7 +369,7 @@ namespace squeal::tribology
     for (const unsigned int tag : fei_tags)
       {
         const ImageMetadata m = from_fei(tiff.text(tag));
-        if (m.pixel_size)
+        if (m.pixel_size || !m.without_scale.empty())
           return m;
       }
     const ImageMetadata zeiss = from_zeiss(tiff.text(zeiss_tag));

@@ -24,6 +24,9 @@ namespace squeal::tribology
      * above it, at least. */
     constexpr double least_drop = 0.2;
 
+    /** Wider than any brake, um. */
+    constexpr double widest_view = 1e6;
+
     // Of the pixels, brightness of which most of a picture is darker.
     constexpr double nearly_all = 0.99, nearly_black = 24.;
 
@@ -336,6 +339,12 @@ namespace squeal::tribology
     if (!(m.pixel_size > 0.) || !std::isfinite(m.pixel_size))
       throw InputError(path + ": the pixel size of its metadata is not "
                               "positive: set 'Pixel size'");
+    const double width = m.pixel_size * std::max(m.frame.width, m.frame.height);
+    if (width > widest_view)
+      m.warnings.push_back("it shows " + rounded_text(1e-6 * width, 3) +
+                           " m, more than any brake has, by pixels of " +
+                           rounded_text(m.pixel_size, 4) + " um (" +
+                           m.scale_source + "): check the unit of that");
     double darkest, brightest;
     cv::minMaxLoc(m.grey(m.frame), &darkest, &brightest);
     if (darkest == brightest)
