@@ -56,6 +56,7 @@ set(SQUEAL_TRIBOLOGY_SOURCES
     source/images/decoder_messages.cc
     source/images/element_map.cc
     source/images/filter_noise.cc
+    source/images/frame_overlap.cc
     source/images/image_blur.cc
     source/images/image_files.cc
     source/images/image_size.cc

@@ -3,6 +3,7 @@
 // Registration, mosaics, sections and length of lines against known answers.
 #include <squeal/base/exceptions.h>
 #include <squeal/tribology/images/centre_line.h>
+#include <squeal/tribology/images/frame_overlap.h>
 #include <squeal/tribology/images/mosaic.h>
 #include <squeal/tribology/images/section_profile.h>
 #include <squeal/tribology/images/specimen.h>
@@ -13,6 +14,7 @@
 #include <cmath>
 
 #include "check.h"
+#include "cut_frames.h"
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -123,31 +125,6 @@ namespace
       },
       "at least 3",
       "one point is refused");
-  }
-
-
-
-  /** Frames of one picture, named a0, a1, ..., by their corners there; stage
-   * positions are @p stage times as far away in x and y. */
-  std::vector<Micrograph>
-  frames_of(const cv::Mat                &grey,
-            const cv::Size               &size,
-            const std::vector<cv::Point> &corners,
-            const cv::Point2d            &stage)
-  {
-    std::vector<Micrograph> frames;
-    for (const cv::Point &corner : corners)
-      {
-        Micrograph m;
-        m.path       = "a" + std::to_string(frames.size());
-        m.grey       = grey(cv::Rect(corner, size)).clone();
-        m.frame      = {{0, 0}, size};
-        m.pixel_size = 2.;
-        m.metadata.stage =
-          cv::Point2d(2. * stage.x * corner.x, 2. * stage.y * corner.y);
-        frames.push_back(m);
-      }
-    return frames;
   }
 
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
+#include <squeal/tribology/images/frame_overlap.h>
 #include <squeal/tribology/images/mosaic.h>
 
 #include <opencv2/imgproc.hpp>
-#include <opencv2/video/tracking.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,6 @@ namespace squeal::tribology
 {
   namespace
   {
-    /** Edge of the smallest overlap that frames are aligned by, px. */
-    constexpr int least_overlap = 48;
-
-    /** Blocks of so many pixels leave nothing of the noise of a detector, and
-     * their means spread by so many grey levels where anything is shown. */
-    constexpr double block_edge = 8., least_spread = 3.;
-
     /** Frames that lie as far from where their overlap shows the same draw a
      * crack double, px. */
     constexpr double largest_misfit = 2.;
@@ -29,83 +22,8 @@ namespace squeal::tribology
     /** Frames of one exposure agree to this factor where they overlap. */
     constexpr double brightness_agreement = 1.1;
 
-    /** In the pixels of @p fixed. */
-    cv::Rect
-    shared_part(const cv::Mat     &fixed,
-                const cv::Mat     &moving,
-                const cv::Point2d &shift)
-    {
-      return cv::Rect({0, 0}, fixed.size()) &
-             cv::Rect({cvRound(shift.x), cvRound(shift.y)}, moving.size());
-    }
 
 
-
-    bool
-    is_wide_enough(const cv::Rect &overlap)
-    {
-      return overlap.width >= least_overlap && overlap.height >= least_overlap;
-    }
-
-
-
-    bool
-    shows_anything(const cv::Mat &part)
-    {
-      cv::Mat    coarse;
-      cv::Scalar mean, spread;
-      cv::resize(part,
-                 coarse,
-                 cv::Size(),
-                 1. / block_edge,
-                 1. / block_edge,
-                 cv::INTER_AREA);
-      cv::meanStdDev(coarse, mean, spread);
-      return spread[0] >= least_spread;
-    }
-  } // namespace
-
-
-
-  std::optional<cv::Point2d>
-  refine_shift(const cv::Mat     &fixed,
-               const cv::Mat     &moving,
-               const cv::Point2d &start)
-  {
-    const cv::Point whole(cvRound(start.x), cvRound(start.y));
-    const cv::Rect  overlap = shared_part(fixed, moving, start);
-    if (!is_wide_enough(overlap))
-      return std::nullopt;
-    cv::Mat1f     warp = cv::Mat1f::eye(2, 3);
-    const cv::Mat a    = fixed(overlap);
-    const cv::Mat b    = moving(overlap - whole);
-    try
-      {
-        const double correlation = cv::findTransformECC(
-          a,
-          b,
-          warp,
-          cv::MOTION_TRANSLATION,
-          cv::TermCriteria(
-            cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 200, 1e-6),
-          cv::noArray(),
-          5);
-        if (correlation < 0.3)
-          return std::nullopt;
-      }
-    catch (const cv::Exception &)
-      {
-        // It throws when it does not converge.
-        return std::nullopt;
-      }
-    // A point p of the fixed image is at p + warp in the moving one.
-    return cv::Point2d(whole) - cv::Point2d(warp(0, 2), warp(1, 2));
-  }
-
-
-
-  namespace
-  {
     /** A frame and an earlier one. */
     struct Overlap
     {

@@ -4,21 +4,11 @@
 
 #include <squeal/tribology/images/registration.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace squeal::tribology
 {
-  /**
-   * Shift (pixels) that takes @p moving onto @p fixed by maximising their
-   * correlation from @p start on; nothing when it does not converge, when the
-   * correlation stays below 0.3, or when the overlap is too small.
-   */
-  std::optional<cv::Point2d> refine_shift(const cv::Mat     &fixed,
-                                          const cv::Mat     &moving,
-                                          const cv::Point2d &start);
-
   /** Frames joined to one image. */
   struct Mosaic
   {
