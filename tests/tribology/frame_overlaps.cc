@@ -23,13 +23,16 @@ namespace
   /** What the detector adds to each frame by itself: brightness that falls off
    * to one corner, the same in all frames, and noise. */
   void
-  expose(Micrograph &m, const double shading, const double gain, cv::RNG &random)
+  expose(Micrograph  &m,
+         const double shading,
+         const double gain,
+         cv::RNG     &random)
   {
     for (int y = 0; y < m.grey.rows; ++y)
       for (int x = 0; x < m.grey.cols; ++x)
-        m.grey.at<float>(y, x) *=
-          float(gain * (1. - shading * (double(x) / m.grey.cols +
-                                        double(y) / m.grey.rows)));
+        m.grey.at<float>(y, x) *= float(
+          gain *
+          (1. - shading * (double(x) / m.grey.cols + double(y) / m.grey.rows)));
     cv::Mat noise(m.grey.size(), CV_32F);
     random.fill(noise, cv::RNG::NORMAL, 0., 8.);
     m.grey += noise;
@@ -58,11 +61,9 @@ namespace
         settings.seed          = 1 + k;
         cv::Mat grey;
         make_specimen(settings).image.convertTo(grey, CV_32F);
-        const int width  = 230 + random.uniform(0, 16);
-        auto      frames = frames_of(grey,
-                                {width, 290},
-                                {{0, 0}, {400 - width, k % 10}},
-                                stage);
+        const int width = 230 + random.uniform(0, 16);
+        auto      frames =
+          frames_of(grey, {width, 290}, {{0, 0}, {400 - width, k % 10}}, stage);
         expose(frames[0], 0.2, 1., random);
         expose(frames[1], 0.2, 0.95, random);
         frames[1].metadata.stage->x += random.uniform(-12., 12.);
@@ -70,10 +71,9 @@ namespace
           {
             const Mosaic mosaic = join_frames(frames);
             score.n_joined += mosaic.n_refined;
-            score.n_right +=
-              mosaic.n_refined == 1 &&
-              cv::norm(mosaic.shifts[1] - mosaic.shifts[0] -
-                       cv::Point2d(400 - width, k % 10)) < 0.5;
+            score.n_right += mosaic.n_refined == 1 &&
+                             cv::norm(mosaic.shifts[1] - mosaic.shifts[0] -
+                                      cv::Point2d(400 - width, k % 10)) < 0.5;
           }
         catch (const InputError &)
           {
@@ -94,8 +94,8 @@ namespace
             std::to_string(right.n_right) + " of " + std::to_string(n));
     const Score wrong = score_of(n, {-1., 1.}, random);
     check(wrong.n_joined == 0,
-          "with the stage reversed none is: " +
-            std::to_string(wrong.n_joined) + " of " + std::to_string(n));
+          "with the stage reversed none is: " + std::to_string(wrong.n_joined) +
+            " of " + std::to_string(n));
   }
 
 

@@ -56,12 +56,11 @@ namespace squeal::tribology
     cv::Mat1f
     correlations(const cv::Mat &fixed, const cv::Mat &moving)
     {
-      const cv::Rect fast({0, 0},
-                          cv::Size(fast_size(fixed.cols),
-                                   fast_size(fixed.rows)));
-      const cv::Mat  a = without_shading(fixed)(fast),
-                    b  = without_shading(moving)(fast);
-      cv::Mat        of_a, of_b, product;
+      const cv::Rect fast(
+        {0, 0}, cv::Size(fast_size(fixed.cols), fast_size(fixed.rows)));
+      const cv::Mat a = without_shading(fixed)(fast),
+                    b = without_shading(moving)(fast);
+      cv::Mat of_a, of_b, product;
       cv::dft(a, of_a);
       cv::dft(b, of_b);
       cv::mulSpectrums(of_a, of_b, product, 0, true);
@@ -120,9 +119,8 @@ namespace squeal::tribology
     for (int y = 0; y < c.rows; ++y)
       for (int x = 0; x < c.cols; ++x)
         {
-          const int    dx = std::min(x, c.cols - x),
-                       dy = std::min(y, c.rows - y);
-          const double r  = std::clamp<double>(c(y, x), -0.9999, 0.9999);
+          const int dx = std::min(x, c.cols - x), dy = std::min(y, c.rows - y);
+          const double r = std::clamp<double>(c(y, x), -0.9999, 0.9999);
           // The shift of a fit is no whole number.
           if (dx <= 1 && dy <= 1)
             here = std::max(here, r);
@@ -172,10 +170,10 @@ namespace squeal::tribology
     // A point p of the fixed image is at p + warp in the moving one.
     const cv::Point2d found =
       cv::Point2d(whole) - cv::Point2d(warp(0, 2), warp(1, 2));
-    const bool is_clear = lead_over_other_shifts(
-                            fixed(shared_part(fixed, moving, found)),
-                            moving(shared_part(moving, fixed, -found))) >=
-                          least_lead;
+    const bool is_clear =
+      lead_over_other_shifts(fixed(shared_part(fixed, moving, found)),
+                             moving(shared_part(moving, fixed, -found))) >=
+      least_lead;
     return is_clear ? std::optional(found) : std::nullopt;
   }
 } // namespace squeal::tribology
