@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 
 namespace squeal
@@ -292,8 +293,11 @@ namespace squeal
   ContactState
   uniform_state(const ContactGeometry &geometry, const ContactStatus status)
   {
-    const std::size_t n = geometry.points.size();
-    return {std::vector<ContactStatus>(n, status),
-            std::vector<double>(n, 1. / n)};
+    const auto  &areas = geometry.areas;
+    const double total = std::accumulate(areas.begin(), areas.end(), 0.);
+    ContactState state{std::vector<ContactStatus>(areas.size(), status), {}};
+    for (const double area : areas)
+      state.force_share.push_back(area / total);
+    return state;
   }
 } // namespace squeal

@@ -11,7 +11,6 @@
 #include <squeal/contact/mortar.h>
 
 #include <map>
-#include <numeric>
 
 namespace squeal
 {
@@ -178,17 +177,6 @@ namespace squeal
         }
       set_frames(d, contact, coupling.normals, g);
       return g;
-    }
-
-    /** Shares proportional to the tributary areas: an even pressure. */
-    ContactState
-    even_pressure(const ContactGeometry &g, const ContactStatus status)
-    {
-      ContactState state = uniform_state(g, status);
-      const double total = std::accumulate(g.areas.begin(), g.areas.end(), 0.);
-      for (std::size_t j = 0; j < g.areas.size(); ++j)
-        state.force_share[j] = g.areas[j] / total;
-      return state;
     }
 
     unsigned int
@@ -445,7 +433,7 @@ namespace squeal
                            ": contact states that change over a sweep need "
                            "'Formulation = springs'");
         ContactState state =
-          is_given(i) ? given[i].front() : even_pressure(g, status);
+          is_given(i) ? given[i].front() : uniform_state(g, status);
         AssertDimension(state.status.size(), g.points.size());
         const MortarContact pair = append_contact(coupling,
                                                   g,

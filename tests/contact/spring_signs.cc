@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Signs and sums of the point spring contact: a pressed pad is dragged to +y,
-// the disc held back, normal forces repel, slip-rate terms dissipate.
+// the disc held back, normal forces repel, slip-rate terms dissipate and have
+// the even pressure of the face on any mesh.
 
-#include "scenes.h"
+#include "turned_block.h"
 
 #include <squeal/contact/contact_geometry.h>
 
@@ -41,9 +42,9 @@ namespace
   /** Forces on the bodies: -K u (or -C u) summed over a body's component. */
   struct Forces
   {
-    explicit Forces(const SceneParameters &scene)
+    explicit Forces(const SceneParameters &scene, const unsigned int degree = 1)
       : s(scene)
-      , d(s, {}, 1, MPI_COMM_SELF)
+      , d(s, {}, degree, MPI_COMM_SELF)
       , linearized(linearized_system(d, assemble_bodies(d)))
     {
     }
@@ -77,6 +78,27 @@ namespace
             result -= (damping ? k.damping : k.stiffness.real()) *
                       unit(body, c).dot(t.matrix->multiply(u).col(0));
           }
+      return result;
+    }
+
+    /** Power against slip rates of the pad by x, 1/s, in component @p c: what
+     * the term has of the second moment of its forces over the face, N m s. */
+    double
+    moment(const std::string &term, const unsigned int c) const
+    {
+      const Eigen::VectorXd u = interpolate(
+        d,
+        [c](const dealii::Point<3> &x) {
+          dealii::Tensor<1, 3> v;
+          v[c] = x[0];
+          return v;
+        },
+        0);
+      double result = 0.;
+      for (const auto &t : linearized.system.terms)
+        if (t.name == term)
+          result +=
+            t.coefficients(s).damping * u.dot(t.matrix->multiply(u).col(0));
       return result;
     }
 
@@ -144,6 +166,41 @@ namespace
       }
   }
 
+  /** An even pressure N / A has the second moment N L^2 / 12 along an edge L,
+   * whatever the weights of the Gauss points and the sizes of the cells. */
+  void
+  test_even_pressure()
+  {
+    SceneParameters s     = pad_on_plate();
+    s.bodies[0].cells     = {{3, 2, 1}};
+    const double   length = s.bodies[0].size[0], N = 100., speed = .5;
+    BodyParameters uneven   = s.bodies[0];
+    uneven.cells            = {{3, 3, 1}};
+    uneven                  = make_turned_block(uneven, .5);
+    auto &c                 = s.contacts[0];
+    c.layout                = ContactParameters::SpringLayout::quadrature;
+    c.transverse_slip_term  = true;
+    c.normal_force          = N;
+    c.sliding_speed         = speed;
+    c.friction_slope        = -.02;
+    const auto has_pressure = [&](const Forces &f, const std::string &cells) {
+      const double square = N * length * length / 12.;
+      check_close(f.moment("transverse slip of c", 0),
+                  mu / speed * square,
+                  1e-12,
+                  cells + ": slip across has an even pressure");
+      check_close(f.moment("friction slope of c", 1),
+                  -.02 * square,
+                  1e-12,
+                  cells + ": the slope of friction has an even pressure");
+    };
+    has_pressure(Forces(s, 2), "equal cells");
+    s.bodies[0] = uneven;
+    for (const unsigned int degree : {1, 2})
+      has_pressure(Forces(s, degree),
+                   "uneven cells, degree " + std::to_string(degree));
+  }
+
   void
   test_stick()
   {
@@ -194,6 +251,7 @@ main(int argc, char **argv)
   s.contacts[0].normal_stiffness_per_area = 1e12;
   check_drag(Forces(s), 1e12 * .02 * .01, "quadrature");
   test_slip_rate_terms();
+  test_even_pressure();
   test_stick();
   test_slip_direction();
   return 0;

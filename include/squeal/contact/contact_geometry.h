@@ -73,7 +73,8 @@ namespace squeal
    * other: three rows a point, normal, along and across the sliding. */
   Functionals relative_motion(const std::vector<ContactGeometry> &contacts);
 
-  /** Full slip or full stick with an even pressure. */
+  /** Full slip or full stick with an even pressure: shares by the tributary
+   * areas, so that they are those of the face and not of its mesh. */
   ContactState uniform_state(const ContactGeometry &geometry,
                              const ContactStatus    status);
 } // namespace squeal
