@@ -302,15 +302,17 @@ namespace squeal
       A.block(0, n, n, n).setIdentity();
       A.block(n, 0, n, n) = drag * normal.by_q;
       A.block(n, 0, n, n).diagonal() -= c.model.omega_squared;
-      Eigen::MatrixXd s_rate(rows.slipping.size(), n + n_s),
-        s_by_state(n_s, n + n_s);
       if (n_s > 0)
         {
+          Eigen::MatrixXd s_by_state(n_s, n + n_s);
           s_by_state << Psi_s - H * normal.by_q,
             Eigen::MatrixXd((-c.inverse_rate).asDiagonal());
+          A.bottomRightCorner(n_s, n + n_s) =
+            E.partialPivLu().solve(s_by_state);
           // The slip rate along the sliding has a part by d/dt lambda_s.
-          s_rate = (F * normal.by_s + c.flexibility(rows.along, rows.viscous)) *
-                   E.partialPivLu().solve(s_by_state);
+          const Eigen::MatrixXd s_rate =
+            (F * normal.by_s + c.flexibility(rows.along, rows.viscous)) *
+            A.bottomRightCorner(n_s, n + n_s);
           slip_by_v -= s_rate.leftCols(n);
           A.block(n, 2 * n, n, n_s) = drag * normal.by_s - Psi_s.transpose() -
                                       v_by_slip * s_rate.rightCols(n_s);
@@ -324,20 +326,6 @@ namespace squeal
           const Eigen::MatrixXd Psi_d = c.participation(rows.viscous_in_modes);
           A.block(n, n, n, n) -=
             Psi_d.transpose() * c.dashpots.asDiagonal() * Psi_d;
-        }
-      if (n_s > 0)
-        {
-          // What the slope adds to u_s changes with the rate of the slip.
-          const Eigen::MatrixXd s_by_slip =
-            H * normal.by_slip +
-            c.flexibility(rows.viscous, rows.along) * c.by_slip.asDiagonal();
-          Eigen::MatrixXd rate    = Eigen::MatrixXd::Zero(n_s, size);
-          rate.rightCols(n + n_s) = s_by_state;
-          rate -= s_by_slip * slip_by_v * A.middleRows(n, n);
-          A.bottomRows(n_s) =
-            Eigen::MatrixXd(E - s_by_slip * s_rate.rightCols(n_s))
-              .partialPivLu()
-              .solve(rate);
         }
       return A;
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Friction that depends on the slip rate: the stick-slip oscillator on a belt,
-// the growth rate of an oscillator against its eigenvalue, the shortest step
-// that the lag of falling friction holds a node in.
+// the growth rate of an oscillator against its eigenvalue, also where slip
+// along deforms the contact across the sliding, the shortest step that the lag
+// of falling friction holds a node in.
 
 #include "transient/hand_made.h"
 #include "transient/pressed_brake.h"
@@ -285,6 +286,45 @@ namespace
 
 
 
+  /** A flexible node whose forces along the sliding move it across: the mass
+   * has what its dashpots give, p mu' along and mu p / |V| across, and no
+   * motion of the flexibility alone grows. */
+  void
+  coupled_flexibility()
+  {
+    constexpr double mu = .3, slope = -6., p = .1, c = .8, share = .9;
+    for (const double flexibility : {1e-4, 1e-5, 1e-6})
+      {
+        ReducedContactModel m = oscillator(1.);
+        m.flexibility         = flexibility * Eigen::Matrix3d::Identity();
+        m.flexibility(1, 2) = m.flexibility(2, 1) = share * flexibility;
+        m.omega_squared[2]                        = 4.;
+        m.damping[1]                              = c;
+        m.load[0]                                 = -p;
+        NodalFriction friction = NodalFriction::uniform(mu, 1);
+        friction.slope[0]      = slope;
+        const SteadySliding s =
+          steady_sliding(m, friction.coefficient, 1., 1e-13);
+        const LinearizedMotion l = linearize(m, s, friction, belt);
+        const auto pair = [](const double damping, const double stiffness) {
+          return Complex(-.5 * damping,
+                         std::sqrt(stiffness - .25 * damping * damping));
+        };
+        for (const Complex expected :
+             {pair(c + slope * p, 1.), pair(mu * p / belt, 4.)})
+          check_below((l.lambda.array() - expected).abs().minCoeff(),
+                      10. * flexibility,
+                      "a motion of the mass on " + std::to_string(flexibility) +
+                        " m/N");
+        Worst growth;
+        for (const Complex lambda : l.lambda)
+          growth.add(lambda.real());
+        check_within(growth, 1e-8, "nothing grows");
+      }
+  }
+
+
+
   /** Steps in which the node of @p m sticks, of the second half of a motion
    * that begins near steady sliding. */
   unsigned int
@@ -365,8 +405,12 @@ main(int argc, char *argv[])
     belt_oscillator();
   else if (which == "oscillator")
     growing_oscillator();
+  else if (which == "coupled_flexibility")
+    coupled_flexibility();
   else if (which == "shortest_step")
     shortest_step();
   else
-    check(false, "an argument: belt, oscillator or shortest_step");
+    check(false,
+          "an argument: belt, oscillator, coupled_flexibility or "
+          "shortest_step");
 }

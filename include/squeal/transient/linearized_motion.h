@@ -59,9 +59,9 @@ namespace squeal
    * a pair at rest whose friction rises from zero have p_0 dmu/d|v_t| times the
    * slip rate in both directions.
    *
-   * Where friction falls, the slip rate that the slope sees leaves out what the
-   * slope itself does to the massless flexibility G: that alone would grow at
-   * the rate 1/(G p_0 |dmu/dv|), which no body with mass does.
+   * Where friction falls, the slip rates along and across the sliding leave out
+   * what the slope itself does to the massless flexibility G: that alone would
+   * grow at the rate 1/(G p_0 |dmu/dv|), which no body with mass does.
    */
   LinearizedMotion linearize(const ReducedContactModel &model,
                              const SteadySliding       &steady,
