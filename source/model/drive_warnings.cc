@@ -71,6 +71,16 @@ namespace squeal
 
 
   void
+  warn_of_kinks(const SceneParameters &scene, RunLog &log)
+  {
+    for (const ContactParameters &contact : scene.contacts)
+      if (const std::string remark = remark_on_kink(contact); !remark.empty())
+        log.warning(remark);
+  }
+
+
+
+  void
   warn_of_short_lag(const PressedModel  &pressed,
                     const SteadySliding &steady,
                     const Parameters    &p,

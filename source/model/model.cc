@@ -7,6 +7,7 @@
 #include <squeal/discretization/face_quadrature.h>
 #include <squeal/discretization/ring_remarks.h>
 #include <squeal/model/common_parts.h>
+#include <squeal/model/drive_warnings.h>
 #include <squeal/model/imported_system.h>
 #include <squeal/model/model.h>
 #include <squeal/model/point_remarks.h>
@@ -316,6 +317,7 @@ namespace squeal
   Model::print_summary(RunLog &log) const
   {
     log.heading("Scene " + all_parameters.scene.name);
+    warn_of_kinks(all_parameters.scene, log);
     if (!space)
       {
         log.key_values({{"unknowns", std::to_string(n_unknowns())}});
@@ -388,9 +390,6 @@ namespace squeal
       log.info("  " + remark);
     for (const auto &remark : remarks_on_points(*this))
       log.warning(remark);
-    for (const ContactParameters &c : scene.contacts)
-      if (const std::string remark = remark_on_kink(c); !remark.empty())
-        log.warning(remark);
     // Given states are those of other numbers than the scene's.
     for (unsigned int i = 0; i < scene.contacts.size(); ++i)
       if (const std::string remark =

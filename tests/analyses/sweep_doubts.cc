@@ -2,7 +2,8 @@
 
 // What a sweep says of what it does not know: contact states between its
 // points, by which an edge, a probability and derivatives are in doubt, and
-// samples that have no pair in the band. Argument: the program.
+// samples that have no pair in the band, speeds at which the slope of friction
+// jumps. Argument: the program.
 
 #include <squeal/results/table.h>
 
@@ -154,6 +155,76 @@ end
             std::string::npos,
           "a warning counts the samples without one");
   }
+
+  /** A mass on a belt whose friction has a table with a point at 0.7 m/s, which
+   * is one of the sweep and not of the scene itself. */
+  void
+  points_of_a_table(const std::string &program)
+  {
+    const std::string mass_on_belt = R"(set Analysis = sweep
+set Output directory = kink
+set Overwrite = true
+subsection Scene
+  set Bodies = mass
+  set Supports = plane
+  set Springs = along, across
+  set Contacts = belt
+  subsection Body mass
+    set Shape = rigid
+  end
+  subsection Support plane
+    set Body = mass
+    set Kind = components
+    set Components = x, rx, ry, rz
+  end
+  subsection Spring along
+    set Body = mass
+    set Direction = 0,1,0
+    set Stiffness = 1e4
+  end
+  subsection Spring across
+    set Body = mass
+    set Direction = 0,0,1
+    set Stiffness = 1e4
+  end
+  subsection Contact belt
+    set Source body = mass
+    set Target body = ground
+    set Grid = 1, 1
+    set Normal stiffness = 5e4
+    set Friction law = table
+    set Friction speeds = 0, 0.3, 0.7, 2
+    set Friction coefficients = 0.5, 0.45, 0.3, 0.4
+    set Sliding speed = 0.5
+  end
+end
+subsection Eigenvalues
+  set Highest frequency = 100
+end
+subsection Output
+  set Plots  = false
+  set Report = false
+end
+subsection Sweep
+  set Axes = v
+  subsection Axis v
+    set Entries = Scene/Contact belt/Sliding speed
+    set Scale   = list
+    set Values  = 0.4, 0.5, 0.7
+  end
+end
+)";
+    const std::string there        = "0.7000 m/s, is a point of its table";
+    check(
+      unbroken(run(program, mass_on_belt).output).find(there) !=
+        std::string::npos,
+      "a warning names the speed of the sweep that is a point of the table");
+    check(unbroken(
+            run(program, replaced_in(mass_on_belt, "0.5, 0.7\n", "0.5, 0.69\n"))
+              .output)
+              .find("is a point of its table") == std::string::npos,
+          "and speeds beside it have none");
+  }
 } // namespace
 
 int
@@ -162,4 +233,5 @@ main(int argc, char **argv)
   check(argc == 2, "one argument");
   states_between_points(argv[1]);
   samples_without_a_pair(argv[1]);
+  points_of_a_table(argv[1]);
 }

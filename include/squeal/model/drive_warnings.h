@@ -15,6 +15,10 @@ namespace squeal
    * the start, and a trigger while a load still comes on. */
   void warn_of_drive(const Parameters &parameters, RunLog &log);
 
+  /** Warns of each pair of @p scene that slides at a point of its table of
+   * friction, see remark_on_kink(); of the same one once. */
+  void warn_of_kinks(const SceneParameters &scene, RunLog &log);
+
   /** Warns where friction falls with the slip rate and the steps of the reduced
    * integrator are so short that its lag holds no node, see lag_limit(). @p
    * steady is that of @p pressed. */

@@ -5,6 +5,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/model/adaptive_cea.h>
+#include <squeal/model/drive_warnings.h>
 #include <squeal/model/pressed_conditions.h>
 #include <squeal/model/second_solutions.h>
 #include <squeal/model/solved_scene.h>
@@ -111,6 +112,7 @@ namespace squeal
       const Model           &model = scene.model();
       const ComplexPairs    &pairs = scene.solution().pairs;
       const EigenParameters &eigen = model.parameters().eigen;
+      warn_of_kinks(model.parameters().scene, context.log);
       warn_of_growth_outside(
         scene.solution(), eigen, text_of(c) + ": ", context.log);
       record_unknowns(model, context.record);

@@ -3,6 +3,7 @@
 // What the lines of a sweep leave in doubt, in warnings.
 
 #include <squeal/analyses/sweep/sweep_solution.h>
+#include <squeal/model/drive_warnings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -134,6 +135,14 @@ namespace squeal
           "one; more points of " +
           model.grid().axis(0).name + " help");
     }
+
+    /** Names sliding speeds of the grid at which the slope of a table jumps. */
+    void
+    warn_of_kinks_of_grid(const SweepModel &model, RunContext &context)
+    {
+      for (std::size_t i = 0; i < model.grid().n_points(); ++i)
+        warn_of_kinks(model.grid().scene(model.grid().point(i)), context.log);
+    }
   } // namespace
 
 
@@ -146,5 +155,6 @@ namespace squeal
     warn_of_doubtful_branches(model, solution, context);
     warn_of_doubtful_ranges(model, solution, context);
     warn_of_missing_points(model, solution, context);
+    warn_of_kinks_of_grid(model, context);
   }
 } // namespace squeal
