@@ -312,7 +312,7 @@ namespace
         };
         for (const Complex expected :
              {pair(c + slope * p, 1.), pair(mu * p / belt, 4.)})
-          check_below((l.lambda.array() - expected).abs().minCoeff(),
+          check_below(smallest((l.lambda.array() - expected).abs()),
                       10. * flexibility,
                       "a motion of the mass on " + std::to_string(flexibility) +
                         " m/N");
