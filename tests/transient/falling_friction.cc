@@ -84,8 +84,8 @@ namespace
     full.relative_motion =
       std::make_shared<const Functionals>(relative_motion(separated.contacts));
     // The normal row is minus the motion along z.
-    full.load = full.relative_motion->apply_transposed(
-      Eigen::MatrixXd(Eigen::Vector3d(1., 0., 0.)));
+    full.load =
+      full.relative_motion->apply_transposed(Block(Block::Identity(3, 1)));
     full.observers     = Block::Zero(full.load.size(), 1);
     full.initial_gap   = Eigen::VectorXd::Zero(1);
     full.speed_ratio   = Eigen::VectorXd::Ones(1);
@@ -170,10 +170,10 @@ namespace
               {
                 const FullContactModel full = full_oscillator();
                 ImplicitTransient      run(full, dt, drive, 1.);
-                Block                  y(full.load.size(), 1);
-                y = -full.relative_motion->apply_transposed(
-                  Eigen::MatrixXd(Eigen::Vector3d(0., belt, 0.)));
-                s = stick_slip(run,
+                Block                  along = Block::Zero(3, 1);
+                along(1, 0)                  = belt;
+                const Block y = -full.relative_motion->apply_transposed(along);
+                s             = stick_slip(run,
                                Eigen::VectorXd::Zero(3),
                                full.basis->mass_shapes.transpose() * y);
               }
