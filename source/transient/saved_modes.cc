@@ -16,8 +16,10 @@ namespace squeal
     constexpr Eigen::Index n_loads = 64, loads_at_once = 16;
 
     /** Motions whose frequencies differ by a smaller share may be mixed: modes
-     * are known to some 1e-10 over the share that parts them from others. */
-    constexpr double share_of_cluster = 1e-3;
+     * are known to some 1e-10 over the share that parts them from others. The
+     * smaller ones serve where modes lie so close that a cluster is too large.
+     */
+    constexpr double shares_of_cluster[] = {1e-3, 1e-4, 1e-5};
 
     /** So many can be told apart by the loads with a good condition. */
     constexpr Eigen::Index largest_cluster = n_loads / 2;
@@ -29,7 +31,8 @@ namespace squeal
     /** Adds the clusters of the motions from @p first to @p end, of ascending
      * frequencies: the first motion of each and how many it has. */
     void
-    add_clusters(const Eigen::VectorXd &omega_squared,
+    add_clusters(const double           share,
+                 const Eigen::VectorXd &omega_squared,
                  const Eigen::Index     first,
                  const Eigen::Index     end,
                  std::vector<std::pair<Eigen::Index, Eigen::Index>> &clusters)
@@ -37,7 +40,7 @@ namespace squeal
       for (Eigen::Index k = first; k < end; ++k)
         if (k > first &&
             std::sqrt(omega_squared[k]) - std::sqrt(omega_squared[k - 1]) <=
-              share_of_cluster * std::sqrt(omega_squared[k]))
+              share * std::sqrt(omega_squared[k]))
           ++clusters.back().second;
         else
           clusters.emplace_back(k, 1);
@@ -61,9 +64,12 @@ namespace squeal
       return rotation;
     }
 
-    /** Block by block; empty where the motions are none of the same. */
+    /** Block by block, of clusters by @p share; empty where the motions are none
+     * of the same. */
     Eigen::MatrixXd
-    rotation_of(const SavedModes &now, const SavedModes &then)
+    rotation_of(const SavedModes &now,
+                const SavedModes &then,
+                const double      share)
     {
       const Eigen::Index n = now.omega_squared.size();
       if (then.omega_squared.size() != n || then.n_modes != now.n_modes ||
@@ -74,8 +80,8 @@ namespace squeal
               closeness * then.omega_squared[k]))
           return {};
       std::vector<std::pair<Eigen::Index, Eigen::Index>> clusters;
-      add_clusters(now.omega_squared, 0, now.n_modes, clusters);
-      add_clusters(now.omega_squared, now.n_modes, n, clusters);
+      add_clusters(share, now.omega_squared, 0, now.n_modes, clusters);
+      add_clusters(share, now.omega_squared, now.n_modes, n, clusters);
       Eigen::MatrixXd rotation = Eigen::MatrixXd::Zero(n, n);
       for (const auto &[first, size] : clusters)
         {
@@ -151,8 +157,11 @@ namespace squeal
             const SavedModes &saved,
             const Pencil     &pencil)
   {
-    const Eigen::MatrixXd rotation =
-      rotation_of(saved_modes(basis, *pencil.space()), saved);
+    const SavedModes now = saved_modes(basis, *pencil.space());
+    Eigen::MatrixXd  rotation;
+    for (const double share : shares_of_cluster)
+      if (rotation.size() == 0)
+        rotation = rotation_of(now, saved, share);
     if (rotation.size() == 0)
       return false;
     basis.shapes        = Block(basis.shapes * rotation);

@@ -27,14 +27,20 @@ namespace squeal::tribology
 
 
 
+    constexpr double least_shown = 1e-3;
+
+    std::string
+    percent_text(const double share)
+    {
+      return rounded_text(100. * std::max(share, least_shown), 2) + " %";
+    }
+
     /** The relative standard error @p share in percent, or that nobody knows. */
     std::string
     error_text(const double share)
     {
-      if (std::isnan(share))
-        return " (sampling error not known: too few samples)";
-      return " +- " + (share < 1e-3 ? "0.1" : rounded_text(100. * share, 2)) +
-             " %";
+      return std::isnan(share) ? " (sampling error not known: too few samples)"
+                               : " +- " + percent_text(share);
     }
 
     std::string
@@ -108,9 +114,14 @@ namespace squeal::tribology
     const std::string face = pair.empty() ? "the face" : "the face of " + pair;
     if (!(damage[worst] > 0.))
       return "no damage on " + face + ": " + why_no_damage(table, fatigue);
-    const std::string slope = " (slope " +
-                              slope_name(fatigue.exponents.front()) + ")" +
-                              (fatigue.constants.empty() ? ", an index" : "");
+    const double      error = study.damage.sampling_error.front();
+    const std::string slope =
+      " (slope " + slope_name(fatigue.exponents.front()) + ")" +
+      (fatigue.constants.empty() ? ", an index" : "") +
+      (std::isnan(error) ? ""
+                         : std::string("; error of the mean: ") +
+                             (error < least_shown ? "below " : "") +
+                             percent_text(error) + " (sampling)");
     const double least = *std::min_element(damage.begin(), damage.end());
     if (least >= (1. - alike) * damage[worst])
       return "the same damage all over " + face + slope;
