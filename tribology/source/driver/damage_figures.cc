@@ -39,7 +39,7 @@ namespace squeal::tribology
     std::string
     error_text(const double share)
     {
-      return std::isnan(share) ? " (sampling error not known: too few samples)"
+      return std::isnan(share) ? " (sampling error not known)"
                                : " +- " + percent_text(share);
     }
 
@@ -91,7 +91,9 @@ namespace squeal::tribology
          error_text(damage.nodes[damage.worst_node(exponents.size() - 1)]
                       .sampling_error.back())},
       {"sampling error of the mean damage, " + slope,
-       error_text(damage.sampling_error.back()).substr(1)},
+       std::isnan(damage.sampling_error.back())
+         ? "not known: too few samples"
+         : percent_text(damage.sampling_error.back())},
       {"part of the mean damage lost between samples, " +
          slope_name(*std::max_element(exponents.begin(), exponents.end())),
        PeakLoss::figure(damage.lost)},
