@@ -306,7 +306,7 @@ namespace squeal
         const auto  located = located_anew(map, motion);
         if (!located)
           {
-            result.residual = std::numeric_limits<double>::max();
+            result.residual = std::numeric_limits<double>::infinity();
             return result;
           }
         result.residual = located->residual;

@@ -119,9 +119,11 @@ namespace squeal
     return result;
   }
 
-  SavedModes
+  std::optional<SavedModes>
   SavedModes::from_numbers(const NamedNumbers &numbers)
   {
+    if (numbers.all().empty())
+      return std::nullopt;
     SavedModes         result;
     const Eigen::Index n      = numbers.get("omega_squared").size();
     const Eigen::Index n_kept = numbers.get("shares").size();

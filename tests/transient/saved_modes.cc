@@ -66,8 +66,10 @@ main(int argc, char *argv[])
       const ReductionBasis &basis = r.basis;
       const std::string     name =
         interface_cut_off > 0. ? " with Ritz vectors" : "";
-      const SavedModes saved = SavedModes::from_numbers(
-        saved_modes(basis, *r.pencil.space()).numbers());
+      const SavedModes saved =
+        SavedModes::from_numbers(
+          saved_modes(basis, *r.pencil.space()).numbers())
+          .value();
       unsigned int   n_planes = 0;
       ReductionBasis other    = of_another_run(basis, n_planes);
       check(n_planes > 2, "the disc has planes of one frequency" + name);

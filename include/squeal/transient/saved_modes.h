@@ -5,6 +5,7 @@
 #include <squeal/base/named_numbers.h>
 #include <squeal/transient/reduction_basis.h>
 
+#include <optional>
 #include <string>
 
 namespace squeal
@@ -28,8 +29,9 @@ namespace squeal
      * bits. */
     std::string checksum() const;
 
-    NamedNumbers      numbers() const;
-    static SavedModes from_numbers(const NamedNumbers &numbers);
+    NamedNumbers numbers() const;
+    /** None where there are no numbers. Throws InputError. */
+    static std::optional<SavedModes> from_numbers(const NamedNumbers &numbers);
   };
 
   /** Those of @p basis. Collective. */

@@ -213,11 +213,8 @@ namespace squeal
   std::optional<SavedModes>
   modes_of_branch(RunContext &context)
   {
-    const NamedNumbers saved = Checkpoints::group_of_newest(
-      branch_path(context), "modes", context.is_root);
-    if (saved.all().empty())
-      return std::nullopt;
-    return SavedModes::from_numbers(saved);
+    return SavedModes::from_numbers(Checkpoints::group_of_newest(
+      branch_path(context), "modes", context.is_root));
   }
 
   CycleBranch

@@ -64,11 +64,8 @@ namespace squeal
   {
     if (!context.parameters.transient.resume)
       return std::nullopt;
-    const NamedNumbers saved = Checkpoints::group_of_newest(
-      checkpoint_path(context), "modes", context.is_root);
-    if (saved.all().empty())
-      return std::nullopt;
-    return SavedModes::from_numbers(saved);
+    return SavedModes::from_numbers(Checkpoints::group_of_newest(
+      checkpoint_path(context), "modes", context.is_root));
   }
 
   HistoryStream *
