@@ -397,6 +397,7 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/frequency_response/response_solution.cc
     source/analyses/frequency_response/response_tables.cc
     source/analyses/frequency_response/run_frequency_response.cc
+    source/analyses/limit_cycle/axis_search.cc
     source/analyses/limit_cycle/branch_models.cc
     source/analyses/limit_cycle/branch_output.cc
     source/analyses/limit_cycle/cycle_campaign.cc
@@ -405,8 +406,10 @@ set(SQUEAL_SOURCES_ANALYSES
     source/analyses/limit_cycle/cycle_motion.cc
     source/analyses/limit_cycle/cycle_outcome.cc
     source/analyses/limit_cycle/cycle_trials.cc
+    source/analyses/limit_cycle/kept_branches.cc
     source/analyses/limit_cycle/limit_cycle_branch.cc
     source/analyses/limit_cycle/limit_cycle_output.cc
+    source/analyses/limit_cycle/pairs_to_follow.cc
     source/analyses/limit_cycle/run_limit_cycle.cc
     source/analyses/modes/run_modes.cc
     source/analyses/operating_matrix/operating_chart.cc

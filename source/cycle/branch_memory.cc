@@ -137,6 +137,14 @@ namespace squeal
 
 
 
+  NamedNumbers
+  BranchRun::start_memory() const
+  {
+    return numbers_of(start());
+  }
+
+
+
   BranchPoint
   BranchRun::point_from(const NamedNumbers &numbers) const
   {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace squeal
 {
@@ -52,6 +53,30 @@ namespace squeal
             }
         }
       return result;
+    }
+
+    /** Of the vibration of all normal forces and their moments, N. */
+    double
+    amplitude_of(const BranchPoint &point)
+    {
+      double sum = 0.;
+      for (const auto &values :
+           {point.figures.rms_of_pairs(), point.figures.moments_of_pairs()})
+        for (const double x : values)
+          sum += x * x;
+      return std::sqrt(sum);
+    }
+
+    /** How far the parameter is from where a motion without changes of status
+     * that has become smaller from @p before to @p last vanishes: it goes there
+     * as the square of the amplitude. */
+    double
+    distance_to_onset(const BranchPoint &before, const BranchPoint &last)
+    {
+      const double a = amplitude_of(before), b = amplitude_of(last);
+      return b < a ? std::abs(last.parameter - before.parameter) * b * b /
+                       (a * a - b * b)
+                   : std::numeric_limits<double>::infinity();
     }
 
     /** Whether an odd number of real multipliers is beyond 1, without the
@@ -149,6 +174,19 @@ namespace squeal
 
 
 
+  BranchRun::BranchRun(PeriodMaps            m,
+                       const NamedNumbers   &start,
+                       const BranchSettings &s)
+    : maps(std::move(m))
+    , settings(s)
+  {
+    sides[0].sign   = -1.;
+    sides[1].sign   = 1.;
+    sides[0].points = sides[1].points = {point_from(start)};
+  }
+
+
+
   bool
   BranchRun::advance(const Watch &watch)
   {
@@ -166,6 +204,12 @@ namespace squeal
   BranchRun::n_points() const
   {
     return sides[0].points.size() + sides[1].points.size() - 1;
+  }
+
+  const BranchPoint &
+  BranchRun::start() const
+  {
+    return sides[0].points.front();
   }
 
   CycleBranch
@@ -263,8 +307,13 @@ namespace squeal
       return (side.sign < 0. ? is_low : is_high)
                ? std::optional<BranchEnd>(BranchEnd::range)
                : std::nullopt;
-    if (last.n_changes == 0 && last.friction_turn <= onset_turn)
+    if (last.n_changes == 0 &&
+        (last.friction_turn <= onset_turn ||
+         distance_to_onset(side.points[side.points.size() - 2], last) <=
+           onset_distance * (settings.upper - settings.lower)))
       return BranchEnd::onset;
+    if (settings.is_of_another && settings.is_of_another(last))
+      return BranchEnd::joined;
     if (is_low || is_high)
       return BranchEnd::range;
     if (side.points.size() > settings.n_points)

@@ -72,12 +72,23 @@ namespace squeal
                                         : coarse_figures.pairs[figures.loudest];
   }
 
+  CycleStatus
+  CycleResult::found() const
+  {
+    return coarse.status == CycleStatus::converged ? motion.status
+                                                   : coarse.status;
+  }
+
   std::string
   CycleResult::status() const
   {
-    const CycleStatus worst =
-      coarse.status == CycleStatus::converged ? motion.status : coarse.status;
-    switch (worst)
+    return cycle_status_text(found());
+  }
+
+  std::string
+  cycle_status_text(const CycleStatus status)
+  {
+    switch (status)
       {
       case CycleStatus::converged:
         return "periodic";

@@ -122,6 +122,16 @@ namespace squeal
                      "must be 0 for a branch over an axis of 'Sweep': motions "
                      "from other starts are followed at the points of a "
                      "'Campaign' or beside a single cycle");
+      if (p.limit_cycle.searches > 0 &&
+          (p.limit_cycle.campaign || p.sweep.axes.empty()))
+        refuse_entry("Limit cycle",
+                     "Searches along axis",
+                     "needs a branch, over an axis of 'Sweep' and without "
+                     "'Campaign'");
+      if (p.limit_cycle.searches == 1)
+        refuse_entry("Limit cycle",
+                     "Searches along axis",
+                     "= 1: must be 0, or at least 2 for both ends of the axis");
       if (!p.limit_cycle.campaign)
         {
           check_branch(p.sweep.axes);

@@ -64,6 +64,14 @@ namespace squeal
         "starts.csv. The first is what a small disturbance of steady sliding "
         "grows to, the next go on from the runs of the growing pairs, the "
         "others begin with impulses at points of all bodies.");
+      schema.add(
+        "Searches along axis",
+        l.searches,
+        Allowed::integer(0, 1000),
+        "At so many even values of the axis of a branch, its ends among "
+        "them, a cycle is sought anew, and each that lies on no branch yet "
+        "starts one of its own: branch_searches.csv says what each has come "
+        "to. At least 2; 0: the branch of the scene's own value alone.");
       schema.add("Steps per period",
                  l.steps,
                  Allowed::integer(32, 8192),

@@ -2,8 +2,9 @@
 
 // Branches of limit cycles of two masses that each rest on a contact point: two
 // folds closer together than the steps along the branch are found, and a branch
-// that leaves its range ends on the range's end. A campaign says where small
-// disturbances end in another cycle than large ones. Argument: the program.
+// that leaves its range ends on the range's end; searches along the axis find
+// the second branch. A campaign says where small disturbances end in another
+// cycle than large ones. Argument: the program.
 
 #include <squeal/results/table.h>
 
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace squeal;
 using namespace squeal::testing;
@@ -145,12 +147,14 @@ end
   }
 
   Outcome
-  run(const std::string &program, const std::string &axis)
+  run(const std::string &program,
+      const std::string &axis,
+      const std::string &more = "")
   {
     write_text("branch.prm",
                "include model.prm\nsubsection Sweep\n  set Axes = a\n"
                "  subsection Axis a\n    " +
-                 axis + "\n  end\nend\n");
+                 axis + "\n  end\nend\n" + more);
     const Outcome o = run_program({program, "branch.prm"});
     check(o.code == 0, "the branch runs: " + o.errors);
     return o;
@@ -189,6 +193,72 @@ end
     off.add(std::abs(t.real(t.n_rows() - 1, "parameter") - 1.5));
     check(t.n_rows() > 5 && off.largest() < 1e-12,
           "a branch over the stiffness ends on both ends of its range");
+  }
+
+  /** Largest distance of a column of branch @p number to @p value. */
+  double
+  nearest_to(const Table       &t,
+             const long         number,
+             const std::string &column,
+             const double       value)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      if (t.integer(i, "branch") == number)
+        least = std::min(least, std::abs(t.real(i, column) - value));
+    return least;
+  }
+
+  /** Two pairs grow, from frictions of 0.232 and 0.464 on, and each has a
+   * branch that begins there; the second one is found by a search from a small
+   * start alone. */
+  void
+  branches_of_both_pairs(const std::string &program)
+  {
+    const std::string axis =
+      "set Entries = Scene/Contact c/Friction coefficient\n    set From = "
+      "0.01\n    set To = 0.81\n    set Number = ";
+    // A copy of this process has read tables, which would be inputs of its run.
+    programs_start_anew = true;
+    const Outcome o =
+      run(program,
+          axis + "60",
+          "subsection Limit cycle\n  set Start amplitude = 0.3\n  set Searches "
+          "along axis = 5\nend\n");
+    check(unbroken(o.output).find("2 branches of limit cycles from a = ") !=
+            std::string::npos,
+          "there are two branches: " + o.output);
+    const Table searches = read_csv("out/branch_searches.csv"),
+                points   = read_csv("out/branch.csv");
+    check(searches.n_rows() == 5 &&
+            searches.text(1, "outcome") == "no growing pair" &&
+            searches.text(2, "outcome") == "periodic" &&
+            searches.integer(2, "branch") == 1 &&
+            searches.integer(2, "starts_branch") == 0 &&
+            searches.integer(4, "branch") == 2 &&
+            searches.integer(3, "n_growing") == 2,
+          "a search finds what lies on no branch");
+    check(searches.integer(3, "starts_branch") +
+              searches.integer(4, "starts_branch") ==
+            1,
+          "one of them starts the second branch");
+    Worst onset;
+    onset.add(nearest_to(points, 1, "parameter", .2320));
+    onset.add(nearest_to(points, 2, "parameter", .4643));
+    check(onset.largest() < 2e-4, "both begin where a pair begins to grow");
+    Worst ends;
+    ends.add(nearest_to(points, 1, "rms_normal_n", 1046.));
+    ends.add(nearest_to(points, 2, "rms_normal_n", 50.1));
+    check(ends.largest() < 1., "both end on the end of the axis");
+    const std::string branches = text_of("out/branch.csv"),
+                      found    = text_of("out/branch_searches.csv");
+    const Outcome again        = run_program({program, "branch.prm"});
+    check(again.code == 0 &&
+            unbroken(again.output).find("continues from out/branch.h5") !=
+              std::string::npos &&
+            text_of("out/branch.csv") == branches &&
+            text_of("out/branch_searches.csv") == found,
+          "what the file has kept gives the same bytes");
   }
 
   /** With a larger friction the runs from the growing pairs, which begin where
@@ -260,4 +330,5 @@ main(int, char **arguments)
   end_of_range(arguments[1]);
   growth_to_another_cycle(arguments[1]);
   growth_beside_one_cycle(arguments[1]);
+  branches_of_both_pairs(arguments[1]);
 }

@@ -351,6 +351,7 @@ namespace squeal
       SQUEAL_DESCRIBE(p, limit_cycle.run_time);
       SQUEAL_DESCRIBE(p, limit_cycle.run_steps);
       SQUEAL_DESCRIBE(p, limit_cycle.starts);
+      SQUEAL_DESCRIBE(p, limit_cycle.searches);
       SQUEAL_DESCRIBE(p, limit_cycle.steps);
       SQUEAL_DESCRIBE(p, limit_cycle.harmonics);
       SQUEAL_DESCRIBE(p, limit_cycle.iterations);

@@ -26,6 +26,12 @@ namespace squeal
               const double          parameter,
               const BranchSettings &settings);
 
+    /** From the start_memory() of a branch of the same settings. Throws
+     * InputError where it is not that of a periodic motion of these maps. */
+    BranchRun(PeriodMaps            maps,
+              const NamedNumbers   &start,
+              const BranchSettings &settings);
+
     /** Called after each point with their number; true: stop. */
     using Watch = std::function<bool(const std::size_t n_points)>;
 
@@ -33,12 +39,14 @@ namespace squeal
     bool advance(const Watch &watch = {});
 
     /** What has been found; an end that has not been reached is `points`. */
-    CycleBranch branch() const;
-    std::size_t n_points() const;
+    CycleBranch        branch() const;
+    std::size_t        n_points() const;
+    const BranchPoint &start() const;
 
     /** @name What a later run goes on from: the starts of all periods */
     //@{
     NamedNumbers memory() const;
+    NamedNumbers start_memory() const; /**< of the first point, not in it */
     /** Runs every period once. Throws InputError where sizes are not those of
      * this branch; it must not go on then. */
     void restore(const NamedNumbers &memory);

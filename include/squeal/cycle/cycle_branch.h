@@ -6,11 +6,14 @@
 #include <squeal/cycle/period_maps.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace squeal
 {
+  struct BranchPoint;
+
   struct BranchSettings
   {
     double           lower = 0., upper = 1.; /**< of the parameter */
@@ -26,6 +29,9 @@ namespace squeal
     double largest_turn = M_PI / 3.;
     /** Of the largest multiplier, as half the steps tell it at the start. */
     double multiplier_error = 0.;
+    /** Whether a point is one of another branch, which ends this one; empty:
+     * there is no other. */
+    std::function<bool(const BranchPoint &)> is_of_another;
   };
 
   /** Why a branch goes no further. */
@@ -33,16 +39,22 @@ namespace squeal
   {
     range,    /**< the parameter is at its end or has left it */
     points,   /**< there are as many as were asked for */
-    onset,    /**< no node changes its status any more and no friction turns by
-                 more than onset_turn: beyond, the motion is the linear one, of any
+    onset,    /**< no node changes its status any more, and no friction turns by
+                 more than onset_turn or the parameter hardly changes from here to
+                 where the motion vanishes: beyond, it is the linear one, of any
                  smaller size at one parameter */
     turn,     /**< it turns too sharply, however short the steps */
+    joined,   /**< it goes on as another branch */
     not_found /**< the iterations do not converge */
   };
 
   /** Friction that turns by less over a period, rad, leaves the motion linear:
    * what the turn adds to Coulomb's law is of the square of this. */
   constexpr double onset_turn = 0.02;
+  /** Of the range of the parameter: what is left to where the motion vanishes.
+   * Where friction turns, the parameter goes there as the square of the
+   * amplitude, the steps as its logarithm. */
+  constexpr double onset_distance = 1e-4;
 
   struct BranchPoint
   {
@@ -73,6 +85,11 @@ namespace squeal
   };
 
   std::string branch_end_text(const BranchEnd end);
+
+  /** Whether @p point lies on @p branch: between two of its neighbouring points
+   * with frequency and rms of its normal force between theirs, within a share
+   * of 1e-4 and 1e-2. */
+  bool lies_on(const CycleBranch &branch, const BranchPoint &point);
 
   /**
    * The branch of periodic motions through @p start at @p parameter, to both

@@ -49,6 +49,8 @@ namespace squeal
       return motion.status == CycleStatus::converged &&
              coarse.status == CycleStatus::converged;
     }
+    /** What the search has ended with, and that in words. */
+    CycleStatus found() const;
     std::string status() const;
     /** Whether nothing was found though the forces of the run last: it may
      * have been on its way to a periodic motion. */

@@ -19,6 +19,8 @@ namespace squeal
     aperiodic       /**< the same, and it lasts: its forces no longer change */
   };
 
+  std::string cycle_status_text(const CycleStatus status);
+
   /** What changes of status that were held, those of another motion, leave open
    * of one that is periodic with them. */
   struct HeldChanges

@@ -17,6 +17,7 @@ namespace squeal
     unsigned int run_steps = 64;    /**< of a period of the pair, then */
     unsigned int starts    = 0;     /**< of transients beside a campaign's
                                        cycles */
+    unsigned int searches   = 0;    /**< along the axis of a branch */
     unsigned int steps      = 128;  /**< of a period */
     unsigned int harmonics  = 30;   /**< that are written */
     unsigned int iterations = 30;   /**< of Newton's method at most */

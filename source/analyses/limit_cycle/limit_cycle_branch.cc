@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <squeal/analyses/limit_cycle/branch_models.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
 
+#include <squeal/analyses/limit_cycle/kept_branches.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
-#include <squeal/base/root_action.h>
-#include <squeal/base/state_files.h>
-#include <squeal/base/stop_request.h>
-#include <squeal/cycle/branch_run.h>
 #include <squeal/parameters/number_access.h>
-#include <squeal/parameters/numbers.h>
 #include <squeal/parameters/text.h>
-#include <squeal/run/checkpoints.h>
 #include <squeal/run/run_context.h>
 #include <squeal/sweep/sweep_grid.h>
 
@@ -28,7 +22,7 @@ namespace squeal
     constexpr double rounding = 1e-12;
 
     BranchSettings
-    settings_of(const Parameters &p, const CycleResult &start)
+    settings_of(const Parameters &p)
     {
       const SweepAxisParameters &axis = p.sweep.axes.front();
       // The grid of a single point has no range.
@@ -42,65 +36,127 @@ namespace squeal
       settings.n_points = axis.number;
       settings.shooting = {
         p.limit_cycle.steps, p.limit_cycle.iterations, p.limit_cycle.tolerance};
-      settings.multiplier_error = start.multipliers.uncertainty();
       return settings;
     }
 
-    /** The path of branch.h5; that of the one before is looked at, too. */
-    std::string
-    branch_path(RunContext &context)
+    /** Searches from one end of the axis to the other. */
+    class AxisRun
     {
-      const std::string name = "branch.h5";
-      const auto        path = [&](const std::string &file) {
-        return on_root(context.is_root, [&]() {
-          return context.output.state_file(
-            file, state_kind::checkpoint, "Output directory");
-        });
-      };
-      path(Checkpoints::name_before(name));
-      return path(name);
-    }
+    public:
+      AxisRun(RunContext          &c,
+              const BranchModels  &m,
+              const BranchSettings s,
+              KeptBranches        &k,
+              BranchDiagram       &d)
+        : context(c)
+        , models(m)
+        , settings(s)
+        , grid(c.parameters)
+        , kept(k)
+        , diagram(d)
+      {
+        settings.is_of_another = [&](const BranchPoint &point) {
+          return std::any_of(
+            diagram.branches.begin(),
+            diagram.branches.end(),
+            [&](const CycleBranch &branch) { return lies_on(branch, point); });
+        };
+      }
 
-    Checkpoints
-    branch_file(RunContext         &context,
-                const PressedModel &pressed,
-                const SavedModes   &modes)
-    {
-      const Parameters &p = context.parameters;
-      Fingerprint       fingerprint(p, Fingerprint::Purpose::motion);
-      // More points are the same branch, another range has other steps.
-      const SweepAxisParameters &axis = p.sweep.axes.front();
-      std::string                entries;
-      for (std::size_t i = 0; i < axis.entries.size(); ++i)
-        entries += (i == 0 ? "" : ", ") + axis.entries[i] + " from " +
-                   prm::format_number(entry_value(axis, i, 0.)) + " to " +
-                   prm::format_number(entry_value(axis, i, 1.));
-      fingerprint.add("axis of the branch", entries);
-      fingerprint.add("scale of the branch",
-                      SweepGrid(p).is_logarithmic(0) ? "logarithmic"
-                                                     : "linear");
-      fingerprint.add("modes", std::to_string(pressed.model().n_modes()));
-      fingerprint.add("modes, to the last bit", modes.checksum());
-      return {
-        branch_path(context), fingerprint, "take another output directory"};
-    }
+      void
+      run()
+      {
+        const unsigned int n = context.parameters.limit_cycle.searches;
+        kept.keep_searches_of(settings.n_points);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double at =
+              settings.lower + (settings.upper - settings.lower) * i / (n - 1.);
+            search(i, at);
+          }
+      }
 
-    void
-    resume(BranchRun &run, const Checkpoints &file, RunContext &context)
-    {
-      Checkpoints::Found found;
-      const std::string  state = on_root(context.is_root, [&]() {
-        found = file.find();
-        return found.state ? found.state->bytes() : std::string();
-      });
-      for (const std::string &note : found.notes)
-        context.log.warning(note);
-      if (state.empty())
-        return;
-      run.restore(NamedNumbers::from_bytes(state));
-      context.log.info("  continues from " + file.path() + " with " +
-                       std::to_string(run.n_points()) + " points");
-    }
+    private:
+      void
+      search(const std::size_t i, const double coordinate)
+      {
+        const std::string group    = KeptBranches::group_of_search(i);
+        const bool        was_done = kept.take_over_search(i);
+        const AxisSearch  search =
+          was_done ? AxisSearch::from_memory(kept.kept_of(group))
+                    : first_search(group, coordinate);
+        context.log.info(
+          "  search at " + context.parameters.sweep.axes.front().name + " = " +
+          rounded_text(search.parameter, 6) + ": " + search.outcome());
+        if (!was_done)
+          kept.write();
+        diagram.searches.push_back(search);
+        if (search.starts_branch)
+          follow(group);
+      }
+
+      /** That a point lies on, from 1 on; 0: none. */
+      unsigned int
+      branch_of(const BranchPoint &point) const
+      {
+        const auto found = std::find_if(
+          diagram.branches.begin(),
+          diagram.branches.end(),
+          [&](const CycleBranch &branch) { return lies_on(branch, point); });
+        return found == diagram.branches.end()
+                 ? 0
+                 : found - diagram.branches.begin() + 1;
+      }
+
+      AxisSearch
+      first_search(const std::string &group, const double coordinate)
+      {
+        Timers::Section section(context.timers, "Solve: searches along axis");
+        AxisSearch      search;
+        search.parameter  = grid.value(0, coordinate);
+        const auto result = search_at(context, models, coordinate, search);
+        if (result)
+          {
+            settings.multiplier_error = result->multipliers.uncertainty();
+            const BranchRun start(
+              models.maps(), result->motion, coordinate, settings);
+            search.branch        = branch_of(start.start());
+            search.starts_branch = search.branch == 0;
+            if (search.starts_branch)
+              {
+                search.branch = diagram.branches.size() + 1;
+                keep_start(group, start);
+              }
+          }
+        kept.keep(group, search.memory());
+        return search;
+      }
+
+      void
+      keep_start(const std::string &group, const BranchRun &start)
+      {
+        kept.keep(group + "/start", start.start_memory());
+        NamedNumbers error;
+        error.set("multiplier_error", settings.multiplier_error);
+        kept.keep(group, error);
+      }
+
+      void
+      follow(const std::string &group)
+      {
+        const NamedNumbers start  = kept.kept_of(group);
+        settings.multiplier_error = start.number("multiplier_error");
+        BranchRun run(models.maps(), start.group("start"), settings);
+        diagram.branches.push_back(kept.follow(run, group));
+      }
+
+      RunContext         &context;
+      const BranchModels &models;
+      BranchSettings      settings;
+      const SweepGrid     grid;
+      KeptBranches       &kept;
+      BranchDiagram      &diagram;
+    };
 
     bool
     is_same(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b)
@@ -210,49 +266,29 @@ namespace squeal
 
 
 
-  std::optional<SavedModes>
-  modes_of_branch(RunContext &context)
+  BranchDiagram
+  branches_of(RunContext         &context,
+              const PressedModel &pressed,
+              const CycleResult  &start)
   {
-    return SavedModes::from_numbers(Checkpoints::group_of_newest(
-      branch_path(context), "modes", context.is_root));
-  }
-
-  CycleBranch
-  branch_of(RunContext         &context,
-            const PressedModel &pressed,
-            const CycleResult  &start)
-  {
-    const Parameters    &p        = context.parameters;
-    const BranchSettings settings = settings_of(p, start);
-    const PeriodMaps     maps     = branch_maps(context, pressed);
-    require_effect(maps, settings, place_on_axis(p), p);
-    BranchRun         run(maps, start.motion, place_on_axis(p), settings);
-    const SavedModes  modes = pressed.modes_to_save();
-    const Checkpoints file  = branch_file(context, pressed, modes);
-    Timers::Section   section(context.timers, "Solve: branch");
-    resume(run, file, context);
-    StopRequest stop;
-    const bool  is_at_its_ends = run.advance([&](const std::size_t n) {
-      if (context.is_root)
-        {
-          NamedNumbers memory = run.memory();
-          memory.set("modes", modes.numbers());
-          file.write(memory);
-        }
-      context.log.info("  " + std::to_string(n) + " points of the branch");
-      return stop.is_there();
-    });
-    if (!is_at_its_ends)
+    const Parameters  &p        = context.parameters;
+    BranchSettings     settings = settings_of(p);
+    const BranchModels models(context, pressed);
+    require_effect(models.maps(), settings, place_on_axis(p), p);
+    KeptBranches  kept(context, pressed);
+    BranchDiagram diagram;
+    if (start.has_converged())
       {
-        context.log.info("stopped; the same command continues from " +
-                         file.path());
-        stop.repeat();
-        throw ComputationError("stopped by a signal");
+        settings.multiplier_error = start.multipliers.uncertainty();
+        BranchRun run(models.maps(), start.motion, place_on_axis(p), settings);
+        diagram.branches.push_back(kept.follow_first(run));
       }
-    CycleBranch     branch = run.branch();
+    if (p.limit_cycle.searches > 0)
+      AxisRun(context, models, settings, kept, diagram).run();
     const SweepGrid grid(p);
-    for (BranchPoint &point : branch.points)
-      point.parameter = grid.value(0, point.parameter);
-    return branch;
+    for (CycleBranch &branch : diagram.branches)
+      for (BranchPoint &point : branch.points)
+        point.parameter = grid.value(0, point.parameter);
+    return diagram;
   }
 } // namespace squeal

@@ -4,13 +4,16 @@
 #include <squeal/analyses/limit_cycle/cycle_columns.h>
 #include <squeal/analyses/limit_cycle/cycle_motion.h>
 #include <squeal/analyses/limit_cycle/cycle_trials.h>
+#include <squeal/analyses/limit_cycle/kept_branches.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_branch.h>
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
+#include <squeal/analyses/limit_cycle/pairs_to_follow.h>
 
 #include <squeal/analyses/analyses.h>
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/model/drive_warnings.h>
+#include <squeal/model/period_map_of.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/reduced_motions.h>
 #include <squeal/model/rotor_symmetry.h>
@@ -28,34 +31,6 @@ namespace squeal
   {
     /** Moments of the moving picture of a period. */
     constexpr unsigned int n_frames = 32;
-    /** The pairs that cycles are sought from, the one that was asked for
-     * first. */
-    std::vector<Eigen::Index>
-    pairs_to_follow(const LinearizedMotion     &linear,
-                    const EigenParameters      &band,
-                    const LimitCycleParameters &l)
-    {
-      std::vector<Eigen::Index> pairs = growing_pairs(linear, band);
-      if (pairs.empty())
-        return pairs;
-      if (l.frequency > 0.)
-        std::iter_swap(
-          pairs.begin(),
-          std::min_element(pairs.begin(),
-                           pairs.end(),
-                           [&](const Eigen::Index a, const Eigen::Index b) {
-                             const auto off = [&](const Eigen::Index k) {
-                               return std::abs(linear.lambda[k].imag() /
-                                                 (2. * M_PI) -
-                                               l.frequency);
-                             };
-                             return off(a) < off(b);
-                           }));
-      if (!l.every_pair)
-        pairs.resize(1);
-      return pairs;
-    }
-
     void
     log_cycles(RunLog &log, const Table &table)
     {
@@ -76,18 +51,49 @@ namespace squeal
     }
 
     void
-    warn_of_moments(RunLog &log, const CycleBranch &branch)
+    warn_of_moments(RunLog &log, const Table &points)
     {
-      const auto n = std::count_if(
-        branch.points.begin(), branch.points.end(), [](const BranchPoint &x) {
-          return !x.figures.judged_force.empty();
-        });
+      std::size_t n = 0;
+      for (std::size_t i = 0; i < points.n_rows(); ++i)
+        n += !points.display(i, points.column_index("judged_force")).empty();
       if (n > 0)
         log.warning("rms and line of " + std::to_string(n) + " of " +
-                    std::to_string(branch.points.size()) +
+                    std::to_string(points.n_rows()) +
                     " points of the branch are those of a moment of the normal "
                     "forces, which cancel in their sum: 'judged_force' in "
                     "branch.csv");
+    }
+
+    /** Tables, picture and words of the branches over the axis of `Sweep`. */
+    void
+    report_branches(RunContext                     &context,
+                    const BranchDiagram            &diagram,
+                    const std::vector<std::string> &pairs,
+                    HtmlReport                     &report)
+    {
+      const auto        &p     = context.parameters;
+      const std::string &name  = p.sweep.axes.front().name;
+      const Table        along = branch_table(diagram, pairs);
+      context.write_table("branch.csv", along);
+      if (p.limit_cycle.searches > 0)
+        {
+          for (std::size_t i = 0; i < diagram.branches.size(); ++i)
+            context.log.info("branch " + std::to_string(i + 1) + ": " +
+                             branch_sentence(diagram.branches[i], name));
+          context.write_table("branch_searches.csv",
+                              search_table(diagram.searches));
+        }
+      context.log.info(diagram_sentence(diagram, name));
+      warn_of_moments(context.log, along);
+      if (const auto hidden = text_of_hidden_folds(diagram, name);
+          !hidden.empty())
+        context.log.warning(hidden);
+      report.section("Branch");
+      if (p.output.plots && context.is_root)
+        draw_branches(context, diagram, p.sweep.axes.front(), report);
+      report.table(along, "Limit cycles along the branch");
+      if (!diagram.searches.empty())
+        report.table(search_table(diagram.searches), "Searches along the axis");
     }
 
     /** What the brake comes to by itself, in words. */
@@ -202,12 +208,12 @@ namespace squeal
     /** Tables and report of @p cycles; the first is the one that was asked
      * for. */
     void
-    report_cycles(RunContext                       &context,
-                  const Model                      &model,
-                  const SteadyModel                &about,
-                  const std::vector<CycleResult>   &cycles,
-                  const PointTrials                &trials,
-                  const std::optional<CycleBranch> &branch)
+    report_cycles(RunContext                         &context,
+                  const Model                        &model,
+                  const SteadyModel                  &about,
+                  const std::vector<CycleResult>     &cycles,
+                  const PointTrials                  &trials,
+                  const std::optional<BranchDiagram> &branches)
     {
       const auto                    &p     = context.parameters;
       const CycleResult             &first = cycles.front();
@@ -227,16 +233,16 @@ namespace squeal
                               " Hz: " + text);
       warn_of_trials(trials, first, context.log);
       context.record.figures = figures_of_run(
-        table, first, trials, !branch && first.has_converged(), pairs);
+        table, first, trials, !branches && first.has_converged(), pairs);
       HtmlReport report("Limit cycle of " + p.scene.name,
                         "periodic motion of the reduced model");
-      report.set_verdict(first.has_converged() && first.multipliers.is_stable()
-                           ? HtmlReport::Verdict::bad
-                           : HtmlReport::Verdict::neutral,
-                         branch
-                           ? branch_sentence(*branch, p.sweep.axes.front().name)
-                           : cycle_sentence(first, pairs),
-                         context.record.figures);
+      report.set_verdict(
+        first.has_converged() && first.multipliers.is_stable()
+          ? HtmlReport::Verdict::bad
+          : HtmlReport::Verdict::neutral,
+        branches ? diagram_sentence(*branches, p.sweep.axes.front().name)
+                 : cycle_sentence(first, pairs),
+        context.record.figures);
       if (first.has_converged())
         {
           const Table harmonics   = harmonic_table(first, n, pairs);
@@ -264,21 +270,8 @@ namespace squeal
           report.section("Floquet multipliers");
           report.table(multipliers, "Multipliers above a thousandth");
         }
-      if (branch)
-        {
-          const std::string &name  = p.sweep.axes.front().name;
-          const Table        along = branch_table(*branch, pairs);
-          context.write_table("branch.csv", along);
-          context.log.info(branch_sentence(*branch, name));
-          warn_of_moments(context.log, *branch);
-          if (const auto hidden = text_of_hidden_folds(*branch, name);
-              !hidden.empty())
-            context.log.warning(hidden);
-          report.section("Branch");
-          if (p.output.plots && context.is_root)
-            draw_branch(context, *branch, p.sweep.axes.front(), report);
-          report.table(along, "Limit cycles along the branch");
-        }
+      if (branches)
+        report_branches(context, *branches, pairs, report);
       report.section("Cycles");
       report.table(all, "Limit cycles of the growing pairs");
       if (!trials.motions.empty())
@@ -358,9 +351,10 @@ namespace squeal
           progress.advance();
         }
     }
-    std::optional<CycleBranch> branch;
-    if (!p.sweep.axes.empty() && cycles.front().has_converged())
-      branch = branch_of(context, pressed, cycles.front());
+    std::optional<BranchDiagram> branches;
+    if (!p.sweep.axes.empty() &&
+        (cycles.front().has_converged() || p.limit_cycle.searches > 0))
+      branches = branches_of(context, pressed, cycles.front());
     PointTrials trials;
     if (p.limit_cycle.starts > 0 && cycles.front().has_converged())
       {
@@ -374,6 +368,6 @@ namespace squeal
                            p.limit_cycle,
                            p.transient.time_step);
       }
-    report_cycles(context, model, about, cycles, trials, branch);
+    report_cycles(context, model, about, cycles, trials, branches);
   }
 } // namespace squeal

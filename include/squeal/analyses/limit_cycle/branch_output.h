@@ -2,7 +2,7 @@
 #ifndef squeal_analyses_limit_cycle_branch_output_h
 #define squeal_analyses_limit_cycle_branch_output_h
 
-#include <squeal/cycle/cycle_branch.h>
+#include <squeal/analyses/limit_cycle/axis_search.h>
 #include <squeal/results/table.h>
 
 #include <string>
@@ -13,23 +13,29 @@ namespace squeal
   class HtmlReport;
   struct SweepAxisParameters;
 
-  /** One row for each point, from one end to the other. */
-  Table branch_table(const CycleBranch              &branch,
-                     const std::vector<std::string> &pairs = {});
+  /** One row for each point, branch after branch from one end to the other. */
+  Table branch_table(const BranchDiagram            &diagram,
+                     const std::vector<std::string> &pairs);
 
   /** One sentence: the range, folds and stability. */
   std::string branch_sentence(const CycleBranch &branch,
                               const std::string &parameter);
 
-  /** Where two folds may lie between neighbouring points; empty: nowhere. */
-  std::string text_of_hidden_folds(const CycleBranch &branch,
-                                   const std::string &parameter);
+  /** Of a single branch that; of several what they have together, and what the
+   * searches beside them have come to. */
+  std::string diagram_sentence(const BranchDiagram &diagram,
+                               const std::string   &parameter);
 
-  /** Amplitude, frequency and largest multiplier over @p axis. */
-  void draw_branch(RunContext                &context,
-                   const CycleBranch         &branch,
-                   const SweepAxisParameters &axis,
-                   HtmlReport                &report);
+  /** Where two folds may lie between neighbouring points; empty: nowhere. */
+  std::string text_of_hidden_folds(const BranchDiagram &diagram,
+                                   const std::string   &parameter);
+
+  /** Amplitude, frequency and largest multiplier over @p axis, and what the
+   * searches have come to. */
+  void draw_branches(RunContext                &context,
+                     const BranchDiagram       &diagram,
+                     const SweepAxisParameters &axis,
+                     HtmlReport                &report);
 } // namespace squeal
 
 #endif
