@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace squeal
 {
@@ -67,16 +66,22 @@ namespace squeal
       return std::sqrt(sum);
     }
 
-    /** How far the parameter is from where a motion without changes of status
-     * that has become smaller from @p before to @p last vanishes: it goes there
-     * as the square of the amplitude. */
-    double
-    distance_to_onset(const BranchPoint &before, const BranchPoint &last)
+    /** Whether the motion of the last of @p points is small and vanishes within
+     * @p distance of its parameter, which goes there no faster than in
+     * proportion to the amplitude. */
+    bool
+    has_nearly_vanished(const std::vector<BranchPoint> &points,
+                        const double                    distance)
     {
+      double largest = 0.;
+      for (const BranchPoint &point : points)
+        largest = std::max(largest, amplitude_of(point));
+      const BranchPoint &last   = points.back(),
+                        &before = points[points.size() - 2];
       const double a = amplitude_of(before), b = amplitude_of(last);
-      return b < a ? std::abs(last.parameter - before.parameter) * b * b /
-                       (a * a - b * b)
-                   : std::numeric_limits<double>::infinity();
+      return b < a && b <= onset_amplitude * largest &&
+             std::abs(last.parameter - before.parameter) * b / (a - b) <=
+               distance;
     }
 
     /** Whether an odd number of real multipliers is beyond 1, without the
@@ -307,10 +312,9 @@ namespace squeal
       return (side.sign < 0. ? is_low : is_high)
                ? std::optional<BranchEnd>(BranchEnd::range)
                : std::nullopt;
-    if (last.n_changes == 0 &&
-        (last.friction_turn <= onset_turn ||
-         distance_to_onset(side.points[side.points.size() - 2], last) <=
-           onset_distance * (settings.upper - settings.lower)))
+    if ((last.n_changes == 0 && last.friction_turn <= onset_turn) ||
+        has_nearly_vanished(side.points,
+                            onset_distance * (settings.upper - settings.lower)))
       return BranchEnd::onset;
     if (settings.is_of_another && settings.is_of_another(last))
       return BranchEnd::joined;

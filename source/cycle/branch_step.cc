@@ -45,17 +45,15 @@ namespace squeal
     MotionState
     across_motion(const PeriodMap &map, const Orbit &orbit, MotionState change)
     {
-      const MotionState         &start = orbit.states.front();
-      MotionState                rate{start.velocities,
-                       map.acceleration(start).tail(start.velocities.size()),
-                       Eigen::VectorXd::Zero(start.forces.size())};
-      const ReducedContactModel &model = map.reduced_model();
-      const double               time =
-        energy_product(model, change, rate) / energy_product(model, rate, rate);
+      const MotionState rate = rate_of_motion(map, orbit);
       // Forces have no part in the product, as in the condition of shooting.
-      rate.forces =
-        (orbit.end().forces - orbit.states[orbit.n_steps() - 1].forces) /
-        orbit.step;
+      const MotionState without_forces{
+        rate.coordinates,
+        rate.velocities,
+        Eigen::VectorXd::Zero(rate.forces.size())};
+      const ReducedContactModel &model = map.reduced_model();
+      const double time = energy_product(model, change, without_forces) /
+                          energy_product(model, without_forces, without_forces);
       change.coordinates -= time * rate.coordinates;
       change.velocities -= time * rate.velocities;
       change.forces -= time * rate.forces;

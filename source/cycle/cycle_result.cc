@@ -44,8 +44,12 @@ namespace squeal
   double
   CycleResult::frequency_error() const
   {
-    return std::max(error_by_steps(figures.frequency, coarse_figures.frequency),
-                    motion.left_open.period * figures.frequency);
+    const double from_shift =
+      std::abs(multipliers.trivial - 1.) / std::max(motion.orbit.n_steps(), 1u);
+    return std::max(
+      {error_by_steps(figures.frequency, coarse_figures.frequency),
+       motion.left_open.period * figures.frequency,
+       from_shift * figures.frequency});
   }
 
   double

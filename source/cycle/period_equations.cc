@@ -103,6 +103,18 @@ namespace squeal
 
 
 
+  MotionState
+  rate_of_motion(const PeriodMap &map, const Orbit &orbit)
+  {
+    const MotionState &start = orbit.states.front();
+    return {start.velocities,
+            map.acceleration(start).tail(start.velocities.size()),
+            (orbit.end().forces - orbit.states[orbit.n_steps() - 1].forces) /
+              orbit.step};
+  }
+
+
+
   double
   motion_size(const ReducedContactModel &model, const Orbit &orbit)
   {

@@ -379,28 +379,60 @@ namespace squeal
     return std::max(error, std::abs(trivial - 1.));
   }
 
+  namespace
+  {
+    /** Multipliers below this are none of a motion along the cycle. */
+    constexpr double least_of_trivial = 0.3;
+
+    /** The eigenvector of @p solver that has the largest share of @p direction
+     * written as a sum of them. */
+    Eigen::Index
+    largest_share(const Eigen::EigenSolver<Eigen::MatrixXd> &solver,
+                  const Eigen::VectorXd                     &direction)
+    {
+      const Eigen::VectorXcd   &values  = solver.eigenvalues();
+      const Eigen::MatrixXcd    vectors = solver.eigenvectors();
+      std::vector<Eigen::Index> those;
+      for (Eigen::Index k = 0; k < values.size(); ++k)
+        if (std::abs(values[k]) > least_of_trivial)
+          those.push_back(k);
+      if (those.empty())
+        throw ComputationError("a periodic motion has no multiplier near 1");
+      const Eigen::MatrixXcd some = vectors(Eigen::all, those);
+      Eigen::Index           at   = 0;
+      some.householderQr()
+        .solve(direction.cast<std::complex<double>>())
+        .cwiseAbs()
+        .maxCoeff(&at);
+      return those[at];
+    }
+  } // namespace
+
   FloquetMultipliers
   floquet_multipliers(const PeriodMap &map, const PeriodicMotion &motion)
   {
     const std::vector<int> rows = map.closed_rows(motion.orbit);
     const ScaledMotion     scaled(map.reduced_model(), rows, motion.period);
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(
-      scaled.derivative(map.derivative(motion.orbit, rows)), false);
+      scaled.derivative(map.derivative(motion.orbit, rows)));
     if (solver.info() != Eigen::Success)
       throw ComputationError("the multipliers of a periodic motion do not "
                              "converge");
+    const MotionState  rate = rate_of_motion(map, motion.orbit);
     FloquetMultipliers result;
-    result.values = solver.eigenvalues();
+    result.values  = solver.eigenvalues();
+    result.trivial = result.values[largest_share(
+      solver, scaled.pack(rate.coordinates, rate.velocities, rate.forces))];
     std::sort(
       result.values.begin(),
       result.values.end(),
       [](const auto a, const auto b) { return std::abs(a) > std::abs(b); });
-    Eigen::Index at = 0;
-    (result.values.array() - 1.).abs().minCoeff(&at);
-    result.trivial = result.values[at];
-    for (Eigen::Index k = 0; k < result.values.size(); ++k)
-      if (k != at)
-        result.largest = std::max(result.largest, std::abs(result.values[k]));
+    bool is_left_out = false;
+    for (const std::complex<double> m : result.values)
+      if (m == result.trivial && !is_left_out)
+        is_left_out = true;
+      else
+        result.largest = std::max(result.largest, std::abs(m));
     return result;
   }
 } // namespace squeal

@@ -58,7 +58,10 @@ namespace squeal
 
     /** @name By the steps, see error_by_steps(). */
     //@{
-    double frequency_error() const; /**< Hz */
+    /** Hz; not smaller than what a start by a step later would change: that
+     * misses itself after a period by what the trivial multiplier misses 1 by.
+     */
+    double frequency_error() const;
     /** N: of the difference of the harmonics that both numbers of steps have,
      * which is not smaller than that of the rms: harmonics that grow and others
      * that fall with the steps leave an rms that hardly changes by chance. */

@@ -32,6 +32,10 @@ namespace squeal
     Eigen::VectorXd        scale;
   };
 
+  /** How the start of @p orbit moves along the motion, a second; forces by the
+   * last step before. */
+  MotionState rate_of_motion(const PeriodMap &map, const Orbit &orbit);
+
   /** Of a motion about its mean, the largest energy norm. */
   double motion_size(const ReducedContactModel &model, const Orbit &orbit);
 

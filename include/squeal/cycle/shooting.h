@@ -103,7 +103,9 @@ namespace squeal
   {
     /** Descending in size; of a periodic motion one is 1. */
     Eigen::VectorXcd values;
-    /** The one nearest to 1. */
+    /** The one that belongs to a shift along the motion: its eigenvector has
+     * the largest share of the direction of that. Another one may be as near
+     * to 1. */
     std::complex<double> trivial;
     /** Of the others, in size. */
     double largest = 0.;

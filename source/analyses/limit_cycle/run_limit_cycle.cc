@@ -98,7 +98,7 @@ namespace squeal
 
     /** What the brake comes to by itself, in words. */
     std::string
-    text_of_growth(const PointTrials &trials)
+    text_of_growth(const PointTrials &trials, const CycleResult &cycle)
     {
       if (trials.motions.empty())
         return "not followed: 'Limit cycle/Starts = 1' tells whether they grow "
@@ -106,7 +106,11 @@ namespace squeal
       const MotionTrial &growth = trials.motions.front();
       const std::string  ends   = growth_ends_in_cycle(trials.motions);
       if (ends == "yes")
-        return "grow to this cycle";
+        return cycle.multipliers.is_unstable()
+                 ? "come near this cycle, which is unstable by its "
+                   "multipliers: "
+                   "where they end is not known"
+                 : "grow to this cycle";
       if (ends == "not known")
         return "where they grow to is not known: raise 'Limit cycle/Run time'";
       return "grow to another motion, of " +
@@ -150,9 +154,14 @@ namespace squeal
         return;
       if (growth_ends_in_cycle(trials.motions) == "no")
         log.warning("small disturbances of steady sliding " +
-                    text_of_growth(trials) +
+                    text_of_growth(trials, cycle) +
                     ", which a 'Limit cycle/Start amplitude' below 1 may find: "
                     "the brake does not come to this cycle by itself");
+      if (cycle.multipliers.is_unstable() && trials.motions.back().ends_in)
+        log.warning("the motion that starts on the cycle, which is unstable by "
+                    "its multipliers, stays there for as long as it was "
+                    "followed: it may leave later, or the multipliers are off, "
+                    "which more 'Limit cycle/Steps per period' tell");
       if (cycle.multipliers.is_stable() && !trials.motions.back().ends_in)
         log.warning("the motion that starts on the cycle, which is stable by "
                     "its multipliers, does not stay there within the errors: "
@@ -199,9 +208,9 @@ namespace squeal
           result.begin() + 1,
           {"motions from other starts", text_of_starts(trials.motions)});
       if (with_growth)
-        result.insert(
-          result.begin() + 1,
-          {"small disturbances of steady sliding", text_of_growth(trials)});
+        result.insert(result.begin() + 1,
+                      {"small disturbances of steady sliding",
+                       text_of_growth(trials, first)});
       return result;
     }
 
