@@ -195,7 +195,7 @@ end
           "a branch over the stiffness ends on both ends of its range");
   }
 
-  /** Largest distance of a column of branch @p number to @p value. */
+  /** Least distance of a column of branch @p number to @p value. */
   double
   nearest_to(const Table       &t,
              const long         number,
@@ -204,8 +204,9 @@ end
   {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < t.n_rows(); ++i)
-      if (t.integer(i, "branch") == number)
-        least = std::min(least, std::abs(t.real(i, column) - value));
+      if (const double off = std::abs(t.real(i, column) - value);
+          t.integer(i, "branch") == number && off < least)
+        least = off;
     return least;
   }
 
