@@ -240,7 +240,7 @@ namespace squeal
         listed +=
           (listed.empty() ? "" : ", ") + outcome + ": " + std::to_string(n);
       return text + "; " + listed +
-             " (errors by half the steps; mesh and cut-off not estimated)";
+             " (errors of the time steps; mesh and cut-off not estimated)";
     }
 
     /** Warns where a motion does not stay on the cycle that it starts on,

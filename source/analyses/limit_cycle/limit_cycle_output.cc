@@ -383,7 +383,7 @@ namespace squeal
     return kind + with_error(f.frequency, c.frequency_error()) +
            " Hz, rms of the " + judged_force_text(f, pairs) + " " +
            with_error(f.rms_normal, c.rms_normal_error()) +
-           " N (errors by half the steps; mesh and cut-off not estimated)" +
+           " N (errors of the time steps; mesh and cut-off not estimated)" +
            (c.multipliers.is_unstable() ? "; " + way_of_leaving(c.multipliers)
                                         : "");
   }
