@@ -79,7 +79,7 @@ namespace squeal
       const BranchPoint &last   = points.back(),
                         &before = points[points.size() - 2];
       const double a = amplitude_of(before), b = amplitude_of(last);
-      return b < a && b <= onset_amplitude * largest &&
+      return b < a && b <= small_amplitude * largest &&
              std::abs(last.parameter - before.parameter) * b / (a - b) <=
                distance;
     }
@@ -312,10 +312,11 @@ namespace squeal
       return (side.sign < 0. ? is_low : is_high)
                ? std::optional<BranchEnd>(BranchEnd::range)
                : std::nullopt;
-    if ((last.n_changes == 0 && last.friction_turn <= onset_turn) ||
-        has_nearly_vanished(side.points,
-                            onset_distance * (settings.upper - settings.lower)))
+    if (last.n_changes == 0 && last.friction_turn <= onset_turn)
       return BranchEnd::onset;
+    if (has_nearly_vanished(side.points,
+                            small_distance * (settings.upper - settings.lower)))
+      return BranchEnd::small;
     if (settings.is_of_another && settings.is_of_another(last))
       return BranchEnd::joined;
     if (is_low || is_high)

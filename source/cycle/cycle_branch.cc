@@ -45,6 +45,8 @@ namespace squeal
         return "as many points as asked for";
       case BranchEnd::onset:
         return "onset";
+      case BranchEnd::small:
+        return "has nearly vanished";
       case BranchEnd::turn:
         return "turns too sharply";
       case BranchEnd::joined:

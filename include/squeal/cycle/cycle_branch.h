@@ -40,9 +40,9 @@ namespace squeal
     range,    /**< the parameter is at its end or has left it */
     points,   /**< there are as many as were asked for */
     onset,    /**< no node changes its status any more and no friction turns by
-                 more than onset_turn, so that the motion is the linear one, of
-                 any smaller size at one parameter; or it is small, and the
-                 parameter hardly changes to where it vanishes */
+                 more than onset_turn: beyond, the motion is the linear one, of any
+                 smaller size at one parameter */
+    small,    /**< the motion has nearly vanished, though nodes still open */
     turn,     /**< it turns too sharply, however short the steps */
     joined,   /**< it goes on as another branch */
     not_found /**< the iterations do not converge */
@@ -51,11 +51,12 @@ namespace squeal
   /** Friction that turns by less over a period, rad, leaves the motion linear:
    * what the turn adds to Coulomb's law is of the square of this. */
   constexpr double onset_turn = 0.02;
-  /** Where a node that carries nearly nothing opens at any amplitude, a branch
-   * that comes down to its onset takes as many steps as the amplitude has
-   * decades. It ends there at this share of its largest amplitude, where the
-   * parameter has less than this share of its range to go. */
-  constexpr double onset_amplitude = 1e-2, onset_distance = 1e-4;
+  /** Where a node is about to open in steady sliding it does so at any
+   * amplitude, and a branch that comes down takes as many steps as the
+   * amplitude has decades. It ends at this share of its largest amplitude,
+   * where the parameter has less than this share of its range to go until it
+   * vanishes. */
+  constexpr double small_amplitude = 1e-2, small_distance = 1e-4;
 
   struct BranchPoint
   {
