@@ -20,6 +20,10 @@ namespace squeal
   {
     /** Numbers that differ by less, over their size, are the same. */
     constexpr double rounding = 1e-12;
+    /** Along the branch where every point has models of its own: an iteration
+     * takes two of them, and most of a run went into steps shorter than this
+     * behind its last point. */
+    constexpr double smallest_step_with_models = 1e-3;
 
     BranchSettings
     settings_of(const Parameters &p)
@@ -274,6 +278,8 @@ namespace squeal
     const Parameters  &p        = context.parameters;
     BranchSettings     settings = settings_of(p);
     const BranchModels models(context, pressed);
+    if (!models.maps().share_modes())
+      settings.smallest_step = smallest_step_with_models;
     require_effect(models.maps(), settings, place_on_axis(p), p);
     KeptBranches  kept(context, pressed);
     BranchDiagram diagram;
