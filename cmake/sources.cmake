@@ -129,7 +129,8 @@ set(SQUEAL_SOURCES_SCENE
     source/scene/nastran_groups.cc
     source/scene/nastran_mesh.cc
     source/scene/tied_faces.cc
-    source/scene/turning.cc)
+    source/scene/turning.cc
+    source/scene/unit_notes.cc)
 
 set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/affine_system.cc
@@ -372,6 +373,7 @@ set(SQUEAL_SOURCES_MODEL
     source/model/rotor_symmetry.cc
     source/model/second_solutions.cc
     source/model/solved_scene.cc
+    source/model/strain_warnings.cc
     source/model/turning_modes.cc)
 
 set(SQUEAL_SOURCES_OUTPUT

@@ -10,6 +10,7 @@
 #include <squeal/scene/check_meshes.h>
 #include <squeal/scene/mesh_materials.h>
 #include <squeal/scene/modulus_table.h>
+#include <squeal/scene/unit_notes.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -41,6 +42,7 @@ namespace
     take_mesh_materials(parameters);
     parameters.check();
     take_modulus_tables(parameters);
+    note_units(parameters);
     check_ranks(parameters,
                 dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
     RunContext context(parameters, is_root, {line.overrides, line.is_quiet});
@@ -88,6 +90,7 @@ namespace
             parameters.check();
             take_modulus_tables(parameters);
             check_meshes(parameters.scene);
+            note_units(parameters);
             if (is_root)
               {
                 std::cout << file << ": valid\n";

@@ -13,6 +13,7 @@
 #include <squeal/model/point_remarks.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/rotor_symmetry.h>
+#include <squeal/model/strain_warnings.h>
 #include <squeal/parameters/face_geometry.h>
 #include <squeal/results/table.h>
 #include <squeal/scene/turning.h>
@@ -396,6 +397,7 @@ namespace squeal
             remark_on_normal_force(scene.contacts[i], system.states[i]);
           given_states.empty() && !remark.empty())
         log.warning(remark);
+    warn_of_large_strains(scene, system.contacts, system.states, log);
     RunLog::Lines lines;
     for (unsigned int i = 0; i < scene.contacts.size(); ++i)
       {

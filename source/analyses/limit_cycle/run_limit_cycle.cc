@@ -17,6 +17,7 @@
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/reduced_motions.h>
 #include <squeal/model/rotor_symmetry.h>
+#include <squeal/model/strain_warnings.h>
 #include <squeal/output/moving_pictures.h>
 #include <squeal/output/record_unknowns.h>
 
@@ -324,6 +325,7 @@ namespace squeal
                                 .steady(p.preload.tolerance, context.timers);
     const PressedModel  &pressed = about.pressed;
     const SteadySliding &steady  = about.sliding;
+    warn_of_large_strains(p.scene, pressed, steady, context.log);
     record_unknowns(model, context.record);
     LinearizedMotion linear;
     {

@@ -9,6 +9,7 @@
 #include <squeal/contact/summed_pairs.h>
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/rotor_symmetry.h>
+#include <squeal/model/strain_warnings.h>
 #include <squeal/output/contact_output.h>
 #include <squeal/output/open_scene_output.h>
 #include <squeal/output/record_unknowns.h>
@@ -367,6 +368,7 @@ namespace squeal
       pressed_model(p, model, p.eigen.highest_frequency, context.timers)
         .steady(p.preload.tolerance, context.timers);
     const PressedModel &pressed = full.pressed;
+    warn_of_large_strains(p.scene, pressed, full.sliding, context.log);
     const auto          states  = load_steps(full, p, context.timers);
     LoadSteps           steps(p.scene.contacts,
                     p.preload.run_in == PreloadParameters::RunIn::archard);

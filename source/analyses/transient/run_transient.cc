@@ -11,6 +11,7 @@
 #include <squeal/eigen/dense_quadratic.h>
 #include <squeal/model/drive_warnings.h>
 #include <squeal/model/rotor_symmetry.h>
+#include <squeal/model/strain_warnings.h>
 #include <squeal/output/moving_pictures.h>
 #include <squeal/output/open_scene_output.h>
 #include <squeal/output/record_unknowns.h>
@@ -453,6 +454,8 @@ namespace squeal
                            p,
                            context.log);
     warn_of_sampling(prepared.motions(p), p.transient, context.log);
+    warn_of_large_strains(
+      p.scene, prepared.pressed, prepared.steady, context.log);
     warn_of_short_lag(prepared.pressed, prepared.steady, p, context.log);
     report_fastest(prepared, p, context.log);
     report_reduction(prepared, p, context.log);
