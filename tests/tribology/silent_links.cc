@@ -24,21 +24,23 @@ namespace
     return std::round(1e3 * (1. + std::sin(1. + 7. * k)));
   }
 
-  /** Tables of all nodes; the features of the first @p n_rows of them only. */
+  /** Tables of all nodes; the features of the first @p n_rows of them only, of
+   * which @p coverage is seen. */
   void
-  write_tables(const unsigned int n_rows)
+  write_tables(const unsigned int n_rows, const double coverage = 1.)
   {
     std::ofstream damage("damage.csv"), features("features.csv");
     damage << "x_m,y_m,area_m2,index,flat,pressure,driver\n";
-    features << "x_m,y_m,feature,even,alike\n";
+    features << "x_m,y_m,coverage,feature,even,alike\n";
     for (unsigned int k = 0; k < n * n; ++k)
       {
         const double x = 2e-3 * (k % n), y = 2e-3 * (k / n);
         damage << x << "," << y << ",4e-6," << std::cos(3. * k * k) << ",7,"
                << pressure(k) << "," << pressure(k) << "\n";
         if (k < n_rows)
-          features << x << "," << y << "," << std::sin(2. * k * k) << ",5,"
-                   << 3. * pressure(k) << "\n";
+          features << x << "," << y << "," << coverage << ","
+                   << std::sin(2. * k * k) << ",5," << 3. * pressure(k)
+                   << "\n";
       }
   }
 
@@ -100,4 +102,17 @@ main()
                false,
                Silence::few_cells,
                "pad 1, feature 'feature': 12 cells are known, too few beside");
+  // one cell alone is the same everywhere, and so is none
+  write_tables(1);
+  check_reason("index",
+               "feature",
+               false,
+               Silence::few_cells,
+               "pad 1, feature 'feature': 1 cell is known, too few: nothing");
+  write_tables(n * n, 0.);
+  check_reason("index",
+               "feature",
+               false,
+               Silence::few_cells,
+               "pad 1, feature 'feature': 0 cells are known, too few: nothing");
 }

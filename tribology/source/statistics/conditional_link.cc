@@ -281,11 +281,14 @@ namespace squeal::tribology
       return link;
     };
     const Eigen::VectorXd x = values(index), y = values(feature);
+    // one cell alone is always constant
+    if (!covariance)
+      return silent(Silence::few_cells);
     if (is_constant(x))
       return silent(Silence::index_constant);
     if (is_constant(y))
       return silent(Silence::feature_constant);
-    if (!covariance || covariance->n_free() < fewest)
+    if (covariance->n_free() < fewest)
       return silent(Silence::few_cells);
     const Eigen::VectorXd dx = covariance->residual(x),
                           dy = covariance->residual(y);

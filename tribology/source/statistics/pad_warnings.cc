@@ -39,12 +39,15 @@ namespace squeal::tribology
         case Silence::few_cells:
           break;
         }
+      const std::size_t n = l.test.n_cells, n_taken = l.test.conditional.n_taken;
+      const std::string known =
+        counted(n, "cell") + (n == 1 ? " is" : " are") + " known, too few";
       return {feature,
-              std::to_string(l.test.n_cells) +
-                " cells are known, too few beside " +
-                std::to_string(l.test.conditional.n_taken) +
-                " terms of 'Shared causes' and 'Covariates': nothing can be "
-                "decided; show more of the pad or take out less"};
+              n_taken == 0 ?
+                known + ": nothing can be decided; show more of the pad" :
+                known + " beside " + std::to_string(n_taken) +
+                  " terms of 'Shared causes' and 'Covariates': nothing can be "
+                  "decided; show more of the pad or take out less"};
     }
 
 
@@ -56,11 +59,7 @@ namespace squeal::tribology
       constexpr double       few = 20.;
       const ConditionalLink &c   = l.test.conditional;
       if (!c.is_known)
-        {
-          const bool has_own_line =
-            c.silence == Silence::few_cells && !std::isfinite(l.test.r);
-          return has_own_line ? SubjectAndText() : reason_of_silence(l);
-        }
+        return reason_of_silence(l);
       if (c.n_effective < few)
         return {"feature '" + l.feature + "'",
                 std::to_string(l.test.n_cells) + " cells are known, worth " +
