@@ -28,10 +28,10 @@ namespace squeal
         {
           const BodyParameters &body = scene.bodies[body_index(scene, name)];
           const double          modulus =
-            body.material_model == BodyParameters::MaterialModel::isotropic ?
-                       body.young_modulus :
-                       *std::min_element(body.young_moduli.begin(),
-                                body.young_moduli.end());
+            body.material_model == BodyParameters::MaterialModel::isotropic
+                       ? body.young_modulus
+                       : *std::min_element(body.young_moduli.begin(),
+                                  body.young_moduli.end());
           if (body.shape != BodyParameters::Shape::rigid &&
               force / area > largest_strain * modulus)
             log.warning("contact " + contact.name + ": its mean pressure, " +
@@ -80,8 +80,7 @@ namespace squeal
         double                normal = 0.;
         for (Eigen::Index j = 0; j < forces.size(); j += 3)
           normal += forces[j];
-        warn_of_pair(
-          scene, scene.contacts[i], pairs[i].geometry, normal, log);
+        warn_of_pair(scene, scene.contacts[i], pairs[i].geometry, normal, log);
       }
   }
 } // namespace squeal

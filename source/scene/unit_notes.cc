@@ -52,11 +52,11 @@ namespace squeal
                      [](const auto &body) { return body.has_mesh_file(); });
       return "the scene is " + rounded_text(size, 3) +
              " m long, which no brake is: lengths are in m" +
-             (from_file == scene.bodies.end() ?
-                "" :
-                ", and a mesh file in mm needs 'Scene/Body " + from_file->name +
-                  "/Mesh length unit = 0.001' (it is " +
-                  shortest_text(from_file->mesh_length_unit) + ")");
+             (from_file == scene.bodies.end()
+                ? ""
+                : ", and a mesh file in mm needs 'Scene/Body " +
+                    from_file->name + "/Mesh length unit = 0.001' (it is " +
+                    shortest_text(from_file->mesh_length_unit) + ")");
     }
 
     std::string
@@ -85,8 +85,8 @@ namespace squeal
           is_isotropic ? "is" : "goes down to",
           modulus));
       if (body.density < lowest_density || body.density > highest_density)
-        notes.push_back("'" + section + "Density' = " +
-                        rounded_text(body.density, 4) +
+        notes.push_back("'" + section +
+                        "Density' = " + rounded_text(body.density, 4) +
                         " kg/m^3 is that of no solid of a brake: one in g/cm^3 "
                         "needs the factor 1000, one in t/mm^3 1e12");
     }
@@ -136,8 +136,8 @@ namespace squeal
           if (entry.size() > ending.size() &&
               entry.substr(entry.size() - ending.size()) == ending &&
               lowest_value(axis, e) < lowest_modulus)
-            notes.push_back(text_of_modulus(
-              entry, "goes down to", lowest_value(axis, e)));
+            notes.push_back(
+              text_of_modulus(entry, "goes down to", lowest_value(axis, e)));
         }
     return notes;
   }

@@ -2,11 +2,14 @@
 
 // A table of damage or features that was cut, is empty or cannot be is refused
 // with its line, rows at one place that differ are said, and so is a pad with
-// its places in mm. Numbers of any size correlate.
+// its places in mm. A sector of a ring is refused with what to do. Numbers of
+// any size correlate.
 #include <squeal/base/exceptions.h>
 #include <squeal/tribology/statistics/association.h>
 #include <squeal/tribology/statistics/pad_tables.h>
 
+#include <array>
+#include <cmath>
 #include <fstream>
 
 #include "check.h"
@@ -109,6 +112,45 @@ namespace
 
 
 
+  /** Damage and features of a sector of a ring, in @p place of radius, m, and
+   * angle. */
+  void
+  write_sector(std::array<double, 2> (*place)(double, double))
+  {
+    std::ofstream damage("damage.csv"), features("features.csv");
+    damage << "x_m,y_m,area_m2,index\n";
+    features << "x_m,y_m,feature\n";
+    for (unsigned int k = 0; k < n * n; ++k)
+      {
+        const double r    = .07 + .01 * (k % n);
+        const auto [x, y] = place(r, .2 * (k / n) - .4);
+        damage << x << "," << y << "," << .002 * r << "," << 1. + k << "\n";
+        features << x << "," << y << "," << 1. + k << "\n";
+      }
+  }
+
+  void
+  sectors()
+  {
+    write_sector([](const double r, const double angle) {
+      return std::array<double, 2>{{r * std::cos(angle), r * std::sin(angle)}};
+    });
+    refused("'damage.csv': its cells form no rectangular grid, which the terms "
+            "of rim and edges and the surrogates need: of a sector of a ring "
+            "give radius less its mean and mean radius times angle",
+            "a sector of a ring as it lies");
+    write_sector([](const double r, const double angle) {
+      return std::array<double, 2>{{r - .09, .09 * angle}};
+    });
+    const auto pads = read_pads(parameters());
+    check(pads[0].grid->n_x() == n && pads[0].grid->n_y() == n &&
+            pads[0].features.at("feature").values ==
+              pads[0].indices.at("index").values,
+          "unrolled it is read, each cell with its own feature");
+  }
+
+
+
   /** Numbers whose squares are beyond those of the machine. */
   void
   huge_and_tiny()
@@ -131,5 +173,6 @@ main()
 {
   faulty_features();
   faulty_damage();
+  sectors();
   huge_and_tiny();
 }

@@ -39,8 +39,7 @@ namespace
                << pressure(k) << "," << pressure(k) << "\n";
         if (k < n_rows)
           features << x << "," << y << "," << coverage << ","
-                   << std::sin(2. * k * k) << ",5," << 3. * pressure(k)
-                   << "\n";
+                   << std::sin(2. * k * k) << ",5," << 3. * pressure(k) << "\n";
       }
   }
 

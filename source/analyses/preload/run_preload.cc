@@ -369,8 +369,8 @@ namespace squeal
         .steady(p.preload.tolerance, context.timers);
     const PressedModel &pressed = full.pressed;
     warn_of_large_strains(p.scene, pressed, full.sliding, context.log);
-    const auto          states  = load_steps(full, p, context.timers);
-    LoadSteps           steps(p.scene.contacts,
+    const auto states = load_steps(full, p, context.timers);
+    LoadSteps  steps(p.scene.contacts,
                     p.preload.run_in == PreloadParameters::RunIn::archard);
     for (std::size_t k = 0; k < states.size(); ++k)
       steps.add(pressed, states[k], double(k + 1) / states.size());

@@ -117,7 +117,9 @@ namespace squeal::tribology
     schema.add("Damage tables",
                c.damage_tables,
                Allowed::list(Allowed::file()),
-               "Tables damage.csv, one for each pad.");
+               "Tables damage.csv, one for each pad, whose cells form a "
+               "rectangular grid; doc/theory/correlation.md (Limits) says what "
+               "to do with sectors of a ring and round pads.");
     schema.add("Feature tables",
                c.feature_tables,
                Allowed::list(Allowed::file()),

@@ -275,8 +275,13 @@ namespace squeal::tribology
       pad.grid            = std::make_unique<ContactGrid>(
         points, damage.reals("area_m2"), sliding.direction);
       if (!pad.grid->is_grid())
-        throw InputError("'" + damage_file +
-                         "': its cells form no rectangular grid");
+        throw InputError(
+          "'" + damage_file +
+          "': its cells form no rectangular grid, which the terms of rim and "
+          "edges and the surrogates need: of a sector of a ring give radius "
+          "less its mean and mean radius times angle as x_m and y_m of both "
+          "tables, of a round pad keep the rows of a rectangle in it "
+          "(doc/theory/correlation.md, Limits)");
       for (const std::string &name : index_columns(damage, p))
         {
           damage.column_index(name);

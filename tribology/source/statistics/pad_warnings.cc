@@ -39,15 +39,17 @@ namespace squeal::tribology
         case Silence::few_cells:
           break;
         }
-      const std::size_t n = l.test.n_cells, n_taken = l.test.conditional.n_taken;
+      const std::size_t n       = l.test.n_cells,
+                        n_taken = l.test.conditional.n_taken;
       const std::string known =
         counted(n, "cell") + (n == 1 ? " is" : " are") + " known, too few";
-      return {feature,
-              n_taken == 0 ?
-                known + ": nothing can be decided; show more of the pad" :
-                known + " beside " + std::to_string(n_taken) +
-                  " terms of 'Shared causes' and 'Covariates': nothing can be "
-                  "decided; show more of the pad or take out less"};
+      return {
+        feature,
+        n_taken == 0
+          ? known + ": nothing can be decided; show more of the pad"
+          : known + " beside " + std::to_string(n_taken) +
+              " terms of 'Shared causes' and 'Covariates': nothing can be "
+              "decided; show more of the pad or take out less"};
     }
 
 
