@@ -219,7 +219,7 @@ namespace squeal
         schema.add("Problem",
                    w.problem,
                    "What is solved on every rung: the eigenvalues of the "
-                   "band, steady sliding under the full load as 'Analysis = "
+                   "band (undamped or complex: 'Quantity'), steady sliding under the full load as 'Analysis = "
                    "preload', or one run of 'Analysis = transient'.");
         schema.add(
           "Ladders",
@@ -265,13 +265,21 @@ namespace squeal
                    "frequencies, each "
                    "relative to its own; the real parts of the eigenvalues, "
                    "relative to the largest one in size; or the eigenvalues, "
-                   "each relative to its own.");
+                   "each relative to its own. Frequencies are those of the "
+                   "undamped modes without friction, as 'Analysis = modes' "
+                   "has them; with 'basis' among the ladders they are those of "
+                   "the complex pairs, as 'Analysis = cea' has them, on every "
+                   "rung. Real parts and eigenvalues are always those of "
+                   "complex pairs.");
         schema.add("Reference",
                    w.reference,
                    Allowed::list(Allowed::number()),
-                   "Exact frequencies or real parts of all pairs of the band; "
+                   "Exact frequencies or real parts of the band, of the modes "
+                   "or pairs that 'Quantity' names; "
                    "empty: the finest rung, the one with most unknowns, is the "
-                   "reference. Of other problems each ladder has its own "
+                   "reference, and rungs of other ladders than 'basis' on its "
+                   "mesh are left out of cost_at_error.csv. Of other problems "
+                   "each ladder has its own "
                    "finest rung as reference.",
                    "Hz or 1/s");
         schema.leave_section();

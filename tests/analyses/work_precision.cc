@@ -172,6 +172,53 @@ namespace
           "a rung is the run with its settings");
   }
 
+  /** Frequencies of all ladders are those of complex pairs where one of them is
+   * 'basis': on one mesh they differ by the basis alone, not by friction. */
+  void
+  check_ladders_of_one_mesh()
+  {
+    const std::vector<std::string> friction = {
+      "Scene/Contact pad_disc/Formulation = mortar",
+      "Scene/Contact pad_disc/Friction coefficient = 0.7",
+      "Discretization/Estimate error = false"};
+    const auto frequencies = [&](const std::string &analysis) {
+      auto all = friction;
+      all.push_back("Analysis = " + analysis);
+      run(all);
+      return read_csv(analysis == "cea" ? "out/eigenvalues.csv" :
+                                          "out/modes.csv")
+        .reals("frequency_hz");
+    };
+    const std::vector<double> undamped = frequencies("modes"),
+                              pairs    = frequencies("cea");
+    check(undamped.size() == pairs.size(), "as many modes as pairs");
+    double shift = 0.;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      shift = std::max(shift, std::abs(pairs[i] / undamped[i] - 1.));
+    check(shift > 1e-4, "friction shifts frequencies: " + listed({shift}));
+    auto all = friction;
+    all.insert(all.end(),
+               {"Analysis = work precision",
+                "Work precision/Ladders = adaptive, basis",
+                "Work precision/Adaptive values = 1",
+                "Work precision/Values = 1e-4, 1e-10"});
+    run(all);
+    const Table t = read_csv("out/work_precision.csv");
+    for (std::size_t i = 0; i < t.n_rows(); ++i)
+      check(t.real(i, "error_rel") < 1e-5 &&
+              std::abs(t.real(i, "value") / pairs.front() - 1.) < 1e-6,
+            t.text(i, "setting") + " has the pairs of its mesh");
+    check(t.text(0, "reference") == "finest rung, same mesh" &&
+            t.text(1, "reference") == "finest rung" &&
+            t.text(2, "reference") == "itself",
+          "what errors are against is told");
+    const Table costs = read_csv("out/cost_at_error.csv");
+    check(costs.text(0, "ladder") == "adaptive" &&
+            costs.text(0, "found") == "not found" &&
+            costs.text(1, "found") == "by every rung",
+          "a rung on the mesh of the reference says nothing of the mesh");
+  }
+
   void
   check_refused(const std::vector<std::string> &settings,
                 const std::string              &expected)
@@ -194,6 +241,7 @@ main(int argc, char **argv)
   folder  = argv[2];
   check_transient_ladders();
   check_preload_ladders();
+  check_ladders_of_one_mesh();
   check_refused({"Work precision/Ladders = basis"}, "does not have");
   check_refused({"Work precision/Ladders = time step"},
                 "'Work precision/Time steps' is empty");

@@ -82,6 +82,16 @@ namespace squeal
         write_eigenpairs(context, *pencil.space(), *pairs, rung.matrices);
     }
 
+    /** Whether rungs give complex pairs instead of undamped modes: frequencies
+     * are those of one kind on all of them, and the basis is one of pairs. */
+    bool
+    are_of_pairs(const WorkPrecisionParameters &p)
+    {
+      return p.quantity != "frequency" ||
+             std::find(p.ladders.begin(), p.ladders.end(), Ladder::basis) !=
+               p.ladders.end();
+    }
+
     Rung
     climb(RunContext &context, const Ladder ladder, const double value)
     {
@@ -95,7 +105,7 @@ namespace squeal
         solve_modes_adaptively(model, context.log, context.timers);
       Rung                       rung{ladder, value, model.n_unknowns()};
       std::optional<CeaSolution> cea;
-      if (p.work_precision.quantity != "frequency" || ladder == Ladder::basis)
+      if (are_of_pairs(p.work_precision))
         {
           cea = solve_cea(model, modes, context.log, context.timers);
           warn_of_growth_left_out(
@@ -215,6 +225,24 @@ namespace squeal
           return a.dofs != b.dofs ? a.dofs < b.dofs
                                   : tolerance(a) > tolerance(b);
         });
+    }
+
+    /** A rung with the mesh of the one that stands for the truth: the error of
+     * that mesh, which they share, is in neither. */
+    bool
+    shares_mesh(const Rung &rung, const Rung *finest)
+    {
+      return finest && rung.ladder != Ladder::basis && rung.dofs == finest->dofs;
+    }
+
+    /** What the error of @p rung is against. */
+    std::string
+    reference_of(const Rung &rung, const Rung *finest)
+    {
+      return !finest                     ? "given values"
+             : &rung == finest           ? "itself"
+             : shares_mesh(rung, finest) ? "finest rung, same mesh"
+                                         : "finest rung";
     }
 
     /** Given numbers stand for values of the band, each for one of its own.
@@ -377,7 +405,8 @@ namespace squeal
 
     if (!p.reference.empty())
       check_reference(p.reference.size(), rungs, context.log);
-    // The finest rung stands for the truth and is not shown.
+    // The finest rung stands for the truth and is not shown, nor are others of
+    // its mesh.
     const Rung   *finest = p.reference.empty() ? &finest_of(rungs) : nullptr;
     const Measure measure(p.quantity,
                           p.reference,
@@ -389,12 +418,12 @@ namespace squeal
       {
         const std::string name  = choice_name(rung.ladder);
         const double      error = measure.worst_error(rung.values);
-        table.add_row(row_of(
-          rung, error, p.quantity, finest ? "finest rung" : "given values"));
-        if (&rung == finest)
-          continue;
+        table.add_row(
+          row_of(rung, error, p.quantity, reference_of(rung, finest)));
         if (series.empty() || series.back().label != name)
           series.push_back({name, {}, {}, {}, {}});
+        if (&rung == finest || shares_mesh(rung, finest))
+          continue;
         series.back().seconds.push_back(rung.seconds);
         series.back().dofs.push_back(rung.dofs);
         series.back().errors.push_back(error);
