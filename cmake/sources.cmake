@@ -144,6 +144,7 @@ set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/element_matrices.cc
     source/discretization/even_faces.cc
     source/discretization/face_quadrature.cc
+    source/discretization/face_tractions.cc
     source/discretization/free_unknowns.cc
     source/discretization/load_vector.cc
     source/discretization/pair_error.cc

@@ -31,6 +31,22 @@ namespace squeal
 
 
 
+  Eigen::MatrixXd
+  nodal_values(const Discretization &d, const Block &modes)
+  {
+    const Eigen::MatrixXd local = d.space()->gather(modes);
+    Eigen::MatrixXd       result(d.relevant_dofs().n_elements(), modes.cols());
+    for (int j = 0; j < modes.cols(); ++j)
+      {
+        const std::vector<double> column = d.expand(local.col(j));
+        result.col(j) =
+          Eigen::Map<const Eigen::VectorXd>(column.data(), column.size());
+      }
+    return result;
+  }
+
+
+
   EnrichmentSpace::EnrichmentSpace(const unsigned int p)
     : degree(p)
   {
@@ -111,14 +127,7 @@ namespace squeal
         dof_of[c][a]      = i;
       }
 
-    const Eigen::MatrixXd local = d.space()->gather(modes);
-    nodal.resize(d.relevant_dofs().n_elements(), modes.cols());
-    for (int j = 0; j < modes.cols(); ++j)
-      {
-        const std::vector<double> column = d.expand(local.col(j));
-        nodal.col(j) =
-          Eigen::Map<const Eigen::VectorXd>(column.data(), column.size());
-      }
+    nodal = nodal_values(d, modes);
   }
 
 
@@ -126,15 +135,8 @@ namespace squeal
   CellErrorProblem::Material
   CellErrorProblem::material_of(const BodyParameters &body)
   {
-    Material result{elastic_tensor(body), body.density, 0.};
-    for (auto &row : result.C)
-      for (double &c : row)
-        {
-          if (body.material_model == BodyParameters::MaterialModel::isotropic)
-            c *= body.young_modulus;
-          result.modulus = std::max(result.modulus, c);
-        }
-    return result;
+    return {
+      elastic_constants(body), body.density, largest_elastic_constant(body)};
   }
 
 

@@ -3,6 +3,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+
 namespace squeal
 {
   namespace
@@ -83,6 +85,29 @@ namespace squeal
     return body.material_model == BodyParameters::MaterialModel::isotropic
              ? C
              : turned(C, material_axes(body));
+  }
+
+
+
+  ElasticTensor
+  elastic_constants(const BodyParameters &body)
+  {
+    ElasticTensor result = elastic_tensor(body);
+    if (body.material_model == BodyParameters::MaterialModel::isotropic)
+      for (auto &row : result)
+        for (double &c : row)
+          c *= body.young_modulus;
+    return result;
+  }
+
+  double
+  largest_elastic_constant(const BodyParameters &body)
+  {
+    double result = 0.;
+    for (const auto &row : elastic_constants(body))
+      for (const double c : row)
+        result = std::max(result, c);
+    return result;
   }
 
 

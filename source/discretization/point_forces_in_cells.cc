@@ -9,30 +9,30 @@ namespace squeal
 {
   namespace
   {
-    using Cell  = Discretization::CellIterator;
     using Force = CellErrorProblem::Force;
-
-    /** Unit coordinates of a point of @p cell; false if it lies outside. */
-    bool
-    find_in_cell(const Discretization   &d,
-                 const Cell             &cell,
-                 const dealii::Point<3> &point,
-                 dealii::Point<3>       &unit)
-    {
-      try
-        {
-          unit = d.mapping().transform_real_to_unit_cell(cell, point);
-        }
-      catch (const dealii::Mapping<3, 3>::ExcTransformationFailed &)
-        {
-          return false;
-        }
-      for (unsigned int c = 0; c < 3; ++c)
-        if (unit[c] < -1e-6 || unit[c] > 1. + 1e-6)
-          return false;
-      return true;
-    }
   } // namespace
+
+
+
+  bool
+  find_in_cell(const Discretization               &d,
+               const Discretization::CellIterator &cell,
+               const dealii::Point<3>             &point,
+               dealii::Point<3>                   &unit)
+  {
+    try
+      {
+        unit = d.mapping().transform_real_to_unit_cell(cell, point);
+      }
+    catch (const dealii::Mapping<3, 3>::ExcTransformationFailed &)
+      {
+        return false;
+      }
+    for (unsigned int c = 0; c < 3; ++c)
+      if (unit[c] < -1e-6 || unit[c] > 1. + 1e-6)
+        return false;
+    return true;
+  }
 
 
 

@@ -17,6 +17,12 @@ namespace squeal
     std::vector<bool> pointwise; /**< cells too small to smooth them out */
   };
 
+  /** Unit coordinates of a point of @p cell; false if it lies outside. */
+  bool find_in_cell(const Discretization               &discretization,
+                    const Discretization::CellIterator &cell,
+                    const dealii::Point<3>             &point,
+                    dealii::Point<3>                   &unit);
+
   /** A point on common faces acts on all their cells in equal parts. */
   ForcesInCells forces_in_cells(const Discretization           &discretization,
                                 const std::vector<PointForces> &forces);

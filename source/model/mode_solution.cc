@@ -177,7 +177,7 @@ namespace squeal
             *model.discretization(),
             full,
             solution.modes.omega_squared.head(n),
-            spring_forces(model, full, FrictionForces::none));
+            undamped_forces(model, full, solution.modes.omega_squared.head(n)));
         }
         const auto locking = nearly_incompressible_bodies(parameters.scene);
         if (!locking.empty())

@@ -111,15 +111,27 @@ namespace squeal
       return result;
     }
 
-    /** Forces of springs on the columns: friction acts on the right vectors,
-     * its transpose on the left ones. */
+    /** Forces of springs and mortar pairs on the columns: friction acts on the
+     * right vectors, its transpose on the left ones. */
     std::vector<PointForces>
-    forces_of_springs(const Model &model, const Block &columns)
+    forces_on(const Model            &model,
+              const Block            &columns,
+              const Eigen::VectorXcd &lambda)
     {
-      std::vector<PointForces> right =
-        spring_forces(model, columns, FrictionForces::sliding);
-      const std::vector<PointForces> left =
-        spring_forces(model, columns, FrictionForces::transposed);
+      const auto with = [&](const FrictionForces friction) {
+        std::vector<PointForces> all = spring_forces(model, columns, friction);
+        const std::vector<PointForces> mortar = mortar_forces(
+          model,
+          columns,
+          [&](const unsigned int body) {
+            return inertia_of_columns(model.parameters().scene, body, lambda);
+          },
+          friction);
+        all.insert(all.end(), mortar.begin(), mortar.end());
+        return all;
+      };
+      std::vector<PointForces>       right = with(FrictionForces::sliding);
+      const std::vector<PointForces> left  = with(FrictionForces::transposed);
       for (std::size_t i = 0; i < right.size(); ++i)
         for (Eigen::Index k = 0; k + 3 < columns.cols(); k += 4)
           right[i].forces.middleCols(k + 2, 2) =
@@ -145,12 +157,7 @@ namespace squeal
     shapes.left         = expanded_left(model, pairs.left);
     shapes.derivative   = derivatives(pencil, pairs);
     const Block columns = columns_of(shapes);
-    auto        forces  = forces_of_springs(model, columns);
-    const auto  mortar =
-      mortar_forces(model, columns, [&](const unsigned int body) {
-        return inertia_of_columns(model.parameters().scene, body, pairs.lambda);
-      });
-    forces.insert(forces.end(), mortar.begin(), mortar.end());
-    return estimate_pair_errors(*d, shapes, forces);
+    return estimate_pair_errors(
+      *d, shapes, forces_on(model, columns, pairs.lambda));
   }
 } // namespace squeal

@@ -2,7 +2,9 @@
 #include <squeal/contact/friction_law.h>
 #include <squeal/contact/mortar.h>
 #include <squeal/contact/spring_stiffness.h>
+#include <squeal/discretization/element_matrices.h>
 #include <squeal/discretization/face_quadrature.h>
+#include <squeal/discretization/face_tractions.h>
 #include <squeal/discretization/point_evaluator.h>
 #include <squeal/model/point_forces.h>
 
@@ -193,17 +195,52 @@ namespace squeal
       std::string                              body, face, target;
       std::vector<std::array<unsigned int, 3>> rows;
       std::vector<double>                      areas;
+      /** I - P of each node, where P turns the traction that two tied bodies
+       * would pass on into the one that these do; empty: zero. */
+      std::vector<Eigen::Matrix3d> not_passed = {};
     };
+
+    /** I - P of a contact point: one that slips passes on the normal part n,
+     * and with it that along the sliding, mu t; on left vectors, and without
+     * friction, n alone. */
+    Eigen::Matrix3d
+    not_passed_at(const ContactFrame  &frame,
+                  const ContactStatus  status,
+                  const double         mu,
+                  const FrictionForces friction)
+    {
+      if (status == ContactStatus::stick)
+        return Eigen::Matrix3d::Zero();
+      Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
+      if (status == ContactStatus::open)
+        return result;
+      const auto &n = frame.normal, &t = frame.sliding;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int k = 0; k < 3; ++k)
+          result(i, k) -=
+            (n[i] + (friction == FrictionForces::sliding ? mu * t[i] : 0.)) *
+            n[k];
+      return result;
+    }
 
     /** Of the nodes of a mortar contact. */
     LedNodes
-    led_nodes_of(const ContactParameters &contact, const ContactGeometry &nodes)
+    led_nodes_of(const ContactParameters &contact,
+                 const ContactGeometry   &nodes,
+                 const ContactState      &state,
+                 const FrictionForces     friction)
     {
       LedNodes result{contact.source_body,
                       contact.source_face,
                       contact.target_body,
                       {},
                       nodes.areas};
+      for (std::size_t j = 0; j < nodes.frames.size(); ++j)
+        result.not_passed.push_back(
+          not_passed_at(nodes.frames[j],
+                        state.status[j],
+                        signed_coefficient(contact, nodes.speed_ratio[j]),
+                        friction));
       for (const auto &rows : nodes.source_rows)
         {
           result.rows.push_back({{-1u, -1u, -1u}});
@@ -215,9 +252,9 @@ namespace squeal
     }
 
     std::vector<LedNodes>
-    led_nodes(const Discretization               &d,
-              const std::vector<ContactGeometry> &contacts)
+    led_nodes(const Model &model, const FrictionForces friction)
     {
+      const Discretization &d     = *model.discretization();
       const auto           &scene = d.scene();
       const PointEvaluator  evaluator(d);
       std::vector<LedNodes> result;
@@ -234,7 +271,10 @@ namespace squeal
           }
       for (std::size_t i = 0; i < scene.contacts.size(); ++i)
         if (scene.contacts[i].formulation != Formulation::springs)
-          result.push_back(led_nodes_of(scene.contacts[i], contacts[i]));
+          result.push_back(led_nodes_of(scene.contacts[i],
+                                        model.linearized().contacts[i],
+                                        model.linearized().states[i],
+                                        friction));
       return result;
     }
 
@@ -267,6 +307,76 @@ namespace squeal
               left_over.row(row - first) / nodes.areas[j];
       return result;
     }
+
+    /** I - P of the nodes as columns, in their rows. */
+    Block
+    not_passed_in_rows(const Discretization &d, const LedNodes &nodes)
+    {
+      const auto &space = *d.space();
+      const auto  first = space.first_owned(), n = space.n_owned();
+      Block       result = Block::Zero(n, 3);
+      for (std::size_t j = 0; j < nodes.not_passed.size(); ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          if (const unsigned int row = nodes.rows[j][c];
+              row != -1u && row >= first && row < first + n)
+            result.row(row - first) = nodes.not_passed[j].row(c);
+      return result;
+    }
+
+    /** The share of the source's own traction in the one that both bodies can
+     * agree on: with it the corrections of both take the least energy, as those
+     * of two cells of one body do. */
+    double
+    share_of_source(const SceneParameters &scene, const LedNodes &nodes)
+    {
+      const int target = body_or_ground(scene, nodes.target);
+      if (target < 0 ||
+          scene.bodies[target].shape == BodyParameters::Shape::rigid)
+        return 1.;
+      const double own = largest_elastic_constant(
+                     scene.bodies[body_index(scene, nodes.body)]),
+                   theirs = largest_elastic_constant(scene.bodies[target]);
+      return theirs / (own + theirs);
+    }
+
+    /** Tractions at the points of the source face, Pa, three rows a point.
+     * Those of the nodes, @p nodal, are what the bodies pass on, but as smooth
+     * as the nodes: beside an edge that holds, or on a body much softer than
+     * the one that holds it, they are far from its stresses. They give way to
+     * the mean of the stresses of both sides as far as the nodes pass it on. */
+    Eigen::MatrixXd
+    agreed_tractions(const Model           &model,
+                     const LedNodes        &nodes,
+                     const FaceQuadrature  &face,
+                     const Block           &full,
+                     const Eigen::MatrixXd &nodal,
+                     const Eigen::MatrixXd &not_passed)
+    {
+      const Discretization &d     = *model.discretization();
+      const double          share = share_of_source(d.scene(), nodes);
+      const FaceTractions   own   = face_tractions(
+        d, full, body_index(d.scene(), nodes.body), face.points, face.normals);
+      FaceTractions theirs;
+      if (share < 1.)
+        theirs = face_tractions(d,
+                                full,
+                                body_index(d.scene(), nodes.target),
+                                face.points,
+                                face.normals);
+      Eigen::MatrixXd result = nodal;
+      for (std::size_t q = 0; q < face.points.size(); ++q)
+        {
+          Eigen::MatrixXd change = share * (own.values.middleRows(3 * q, 3) -
+                                            nodal.middleRows(3 * q, 3));
+          if (share < 1. && theirs.found[q])
+            change += (1. - share) * (theirs.values.middleRows(3 * q, 3) -
+                                      nodal.middleRows(3 * q, 3));
+          const Eigen::Matrix3d P =
+            Eigen::Matrix3d::Identity() - not_passed.middleRows(3 * q, 3);
+          result.middleRows(3 * q, 3) += P * change;
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -276,12 +386,13 @@ namespace squeal
     const Model &model,
     const Block &full,
     const std::function<Eigen::SparseMatrix<double>(const unsigned int)>
-      &inertia)
+                        &inertia,
+    const FrictionForces friction)
   {
     const auto              &d = *model.discretization();
     const PointEvaluator     evaluator(d);
     std::vector<PointForces> result;
-    for (const LedNodes &nodes : led_nodes(d, model.linearized().contacts))
+    for (const LedNodes &nodes : led_nodes(model, friction))
       {
         const unsigned int   body = body_index(d.scene(), nodes.body);
         const FaceQuadrature face = face_quadrature(
@@ -292,8 +403,14 @@ namespace squeal
         for (const auto &at :
              evaluator.displacements(body, face.points, 1e-4).rows)
           rows.insert(rows.end(), at.begin(), at.end());
-        Eigen::MatrixXd forces =
-          Functionals(d.space(), std::move(rows)).apply(tractions);
+        const Functionals at_points(d.space(), std::move(rows));
+        Eigen::MatrixXd   forces =
+          agreed_tractions(model,
+                           nodes,
+                           face,
+                           full,
+                           at_points.apply(tractions),
+                           at_points.apply(not_passed_in_rows(d, nodes)));
         for (std::size_t q = 0; q < face.points.size(); ++q)
           forces.middleRows(3 * q, 3) *= face.areas[q];
         append_both(body,
@@ -303,6 +420,27 @@ namespace squeal
                     0.,
                     result);
       }
+    return result;
+  }
+
+
+
+  std::vector<PointForces>
+  undamped_forces(const Model           &model,
+                  const Block           &full,
+                  const Eigen::VectorXd &omega_squared)
+  {
+    std::vector<PointForces> result =
+      spring_forces(model, full, FrictionForces::none);
+    Eigen::SparseMatrix<double> inertia(full.cols(), full.cols());
+    for (Eigen::Index k = 0; k < full.cols(); ++k)
+      inertia.insert(k, k) = omega_squared[k];
+    const std::vector<PointForces> mortar = mortar_forces(
+      model,
+      full,
+      [&](const unsigned int) { return inertia; },
+      FrictionForces::none);
+    result.insert(result.end(), mortar.begin(), mortar.end());
     return result;
   }
 } // namespace squeal

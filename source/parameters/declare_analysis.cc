@@ -219,7 +219,8 @@ namespace squeal
         schema.add("Problem",
                    w.problem,
                    "What is solved on every rung: the eigenvalues of the "
-                   "band (undamped or complex: 'Quantity'), steady sliding under the full load as 'Analysis = "
+                   "band (undamped or complex: 'Quantity'), steady sliding "
+                   "under the full load as 'Analysis = "
                    "preload', or one run of 'Analysis = transient'.");
         schema.add(
           "Ladders",

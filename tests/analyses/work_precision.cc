@@ -185,8 +185,8 @@ namespace
       auto all = friction;
       all.push_back("Analysis = " + analysis);
       run(all);
-      return read_csv(analysis == "cea" ? "out/eigenvalues.csv" :
-                                          "out/modes.csv")
+      return read_csv(analysis == "cea" ? "out/eigenvalues.csv"
+                                        : "out/modes.csv")
         .reals("frequency_hz");
     };
     const std::vector<double> undamped = frequencies("modes"),

@@ -26,6 +26,12 @@ namespace squeal
    * (orthotropic, along its own axes). */
   ElasticTensor elastic_tensor(const BodyParameters &body);
 
+  /** elastic_tensor() with the Young modulus of an isotropic body, Pa. */
+  ElasticTensor elastic_constants(const BodyParameters &body);
+
+  /** The largest of elastic_constants(), Pa. */
+  double largest_elastic_constant(const BodyParameters &body);
+
   /**
    * Stiffness and mass matrices of one hexahedron of degree p. The integrals
    * H_kl = int dphi_a/dx_k dphi_b/dx_l are products of dense matrices

@@ -29,9 +29,13 @@ namespace squeal
                                          const FrictionForces friction);
 
   /**
-   * What the nodes of mortar contacts and ties pass on, as tractions at the
-   * quadrature points of the source face: the forces K_b u - M_b u W_b that
-   * body b leaves over at them, over their areas.
+   * What mortar contacts and ties pass on, as tractions at the quadrature
+   * points of the source face. Where nodes are tied or stick it is the mean of
+   * the stresses of both sides, weighted as between two cells of one body;
+   * where they slip this is so of the normal part, and friction follows it;
+   * where they are open it is zero. Of stresses that a side does not have
+   * there: the forces K_b u - M_b u W_b that body b leaves over at the nodes,
+   * over their areas.
    *
    * @param inertia W_b of a body, 1/s^2, for the columns of @p full
    */
@@ -39,7 +43,15 @@ namespace squeal
     const Model &model,
     const Block &full,
     const std::function<Eigen::SparseMatrix<double>(const unsigned int body)>
-      &inertia);
+                        &inertia,
+    const FrictionForces friction);
+
+  /** All forces on the undamped modes @p full, without friction: those of
+   * springs and of mortar contacts and ties. */
+  std::vector<PointForces> undamped_forces(
+    const Model           &model,
+    const Block           &full,
+    const Eigen::VectorXd &omega_squared);
 } // namespace squeal
 
 #endif

@@ -327,7 +327,7 @@ namespace squeal
       *full.discretization(),
       full_shapes,
       modes.omega_squared.head(n),
-      spring_forces(full, full_shapes, FrictionForces::none));
+      undamped_forces(full, full_shapes, modes.omega_squared.head(n)));
     small.numbers["mesh modes"]  = modes.shapes.leftCols(n);
     small.numbers["mesh errors"] = errors.frequency;
   }

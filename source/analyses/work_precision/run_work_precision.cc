@@ -232,7 +232,8 @@ namespace squeal
     bool
     shares_mesh(const Rung &rung, const Rung *finest)
     {
-      return finest && rung.ladder != Ladder::basis && rung.dofs == finest->dofs;
+      return finest && rung.ladder != Ladder::basis &&
+             rung.dofs == finest->dofs;
     }
 
     /** What the error of @p rung is against. */
