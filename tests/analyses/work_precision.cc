@@ -195,7 +195,7 @@ namespace
     check(undamped.size() == pairs.size(), "as many modes as pairs");
     Worst shift;
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      shift.add(pairs[i] / undamped[i] - 1.);
+      shift.add(std::abs(pairs[i] / undamped[i] - 1.));
     check(shift.largest() > 1e-4,
           "friction shifts frequencies: " + listed({shift.largest()}));
     auto all = friction;
