@@ -188,8 +188,8 @@ set(SQUEAL_SOURCES_EIGEN
     source/eigen/dense_quadratic.cc
     source/eigen/dense_scaling.cc
     source/eigen/direct_conditions.cc
-  source/eigen/direct_solver.cc
-  source/eigen/dominant_eigenvalues.cc
+    source/eigen/direct_solver.cc
+    source/eigen/dominant_eigenvalues.cc
     source/eigen/estimate_errors.cc
     source/eigen/free_motion.cc
     source/eigen/frequency_dependence.cc
@@ -250,9 +250,9 @@ set(SQUEAL_SOURCES_TRANSIENT
     source/transient/reduced_contact_model.cc
     source/transient/reduced_transient.cc
     source/transient/reduction_basis.cc
-    source/transient/saved_modes.cc
     source/transient/rising_friction.cc
     source/transient/run_in.cc
+    source/transient/saved_modes.cc
     source/transient/sliding_flexibility.cc
     source/transient/slow_part.cc
     source/transient/spectrum.cc
@@ -345,14 +345,15 @@ set(SQUEAL_SOURCES_RUN
 set(SQUEAL_SOURCES_MODEL
     source/model/adaptive_cea.cc
     source/model/cea_solution.cc
-    source/model/direct_comparison.cc
     source/model/common_parts.cc
     source/model/contact_states.cc
+    source/model/direct_comparison.cc
     source/model/doublets.cc
     source/model/drive_warnings.cc
     source/model/finer_modes.cc
     source/model/frequency_pencil.cc
     source/model/growth_errors.cc
+    source/model/growth_outside.cc
     source/model/imported_system.cc
     source/model/linear_solver.cc
     source/model/measured_points.cc

@@ -81,28 +81,6 @@ namespace squeal
              : 0.;
   }
 
-  std::complex<double>
-  growth_outside(const LinearizedMotion &linear, const Parameters &p)
-  {
-    const std::complex<double> lambda    = fastest_growth(linear, p.transient);
-    const double               frequency = lambda.imag() / (2. * M_PI);
-    return frequency >= p.eigen.lowest_frequency &&
-               frequency <= p.eigen.highest_frequency
-             ? 0.
-             : lambda;
-  }
-
-  std::string
-  text_of_growth_outside(const LinearizedMotion &linear, const Parameters &p)
-  {
-    const std::complex<double> lambda = growth_outside(linear, p);
-    if (!(lambda.real() > 0.))
-      return "";
-    return "a motion at " + rounded_text(lambda.imag() / (2. * M_PI), 5) +
-           " Hz, outside the band, grows (sigma of " +
-           rounded_text(lambda.real(), 3) + " 1/s)";
-  }
-
 
 
   void

@@ -37,15 +37,6 @@ namespace squeal
   std::complex<double> fastest_growth(const LinearizedMotion    &linear,
                                       const TransientParameters &t);
 
-  /** fastest_growth() where it is outside the band of @p parameters, else 0. */
-  std::complex<double> growth_outside(const LinearizedMotion &linear,
-                                      const Parameters       &parameters);
-
-  /** That in words, "a motion at 38995 Hz, outside the band, grows (sigma of
-   * 6.52 1/s)"; empty where there is none. */
-  std::string text_of_growth_outside(const LinearizedMotion &linear,
-                                     const Parameters       &parameters);
-
   /** Logs what `Transient/Cut-off damping`, which keeps impacts from ringing,
    * does to the @p pairs of @p linear: modes near the cut-off follow their
    * motion too, and are damped in that. Warns where a growth rate moves by more

@@ -8,8 +8,8 @@
 #include <squeal/analyses/limit_cycle/limit_cycle_output.h>
 #include <squeal/base/number_text.h>
 #include <squeal/base/stop_request.h>
+#include <squeal/model/growth_outside.h>
 #include <squeal/model/pressed_scene.h>
-#include <squeal/model/reduced_motions.h>
 #include <squeal/output/record_unknowns.h>
 #include <squeal/results/chart.h>
 #include <squeal/results/column_title.h>
@@ -72,7 +72,9 @@ namespace squeal
         const LinearizedMotion          linear = motions_about(*about);
         const std::vector<Eigen::Index> growing =
           growing_pairs(linear, p.eigen);
-        if (const std::string text = text_of_growth_outside(linear, p);
+        const GrowthOutside outside =
+          growth_outside(*about, linear, p, context.timers);
+        if (const std::string text = text_of_growth_outside(outside);
             !text.empty())
           context.log.warning(place_of(run) + text +
                               ": no limit cycle is sought from it");
@@ -102,7 +104,7 @@ namespace squeal
                                              candidates_of(cycles),
                                              p.limit_cycle,
                                              p.transient.time_step);
-        return {outcome_table(cycles, trials, pairs, growth_outside(linear, p)),
+        return {outcome_table(cycles, trials, pairs, outside.fastest()),
                 cycle_table(cycles, p.limit_cycle.harmonics, pairs),
                 trial_table_of(trials, cycles)};
       }

@@ -13,9 +13,9 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/number_text.h>
 #include <squeal/model/drive_warnings.h>
+#include <squeal/model/growth_outside.h>
 #include <squeal/model/period_map_of.h>
 #include <squeal/model/pressed_model.h>
-#include <squeal/model/reduced_motions.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/model/strain_warnings.h>
 #include <squeal/output/moving_pictures.h>
@@ -339,7 +339,8 @@ namespace squeal
        {"contact nodes", std::to_string(pressed.model().n_nodes())},
        {"closed in steady sliding", std::to_string(steady.n_closed())},
        {"pairs to follow", std::to_string(pairs.size())}});
-    const std::string outside = text_of_growth_outside(linear, p);
+    const std::string outside =
+      text_of_growth_outside(growth_outside(about, linear, p, context.timers));
     if (pairs.empty())
       throw ComputationError(
         "no pair of the band grows about steady sliding: there is nothing to "

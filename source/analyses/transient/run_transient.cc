@@ -288,7 +288,7 @@ namespace squeal
       HtmlReport report("Transient of " + p.scene.name,
                         "motion in time about steady sliding");
       report.set_verdict(f.verdict == "unstable" || squeals(f, trigger) ||
-                             !f.growing_outside.empty()
+                             prepared.outside.fastest().real() > 0.
                            ? HtmlReport::Verdict::bad
                          : f.verdict == "stable" ? HtmlReport::Verdict::good
                                                  : HtmlReport::Verdict::neutral,
@@ -391,23 +391,17 @@ namespace squeal
         (is_there ? ""
                   : ", of the reduced model above its cut-off, which "
                     "this run does not use"));
-      const std::string of_reduction = text_of_growth_of_reduction(
-                          linear, prepared.reduction_errors, p),
-                        growing =
-                          text_of_growth_outside(prepared.motions(p), p);
-      if (!of_reduction.empty() && has_all)
-        return log.warning(of_reduction +
-                           ", so that it decays in the bodies; raise "
-                           "'Transient/Cut-off'");
-      if (!of_reduction.empty())
+      if (const std::string of_reduction =
+            text_of_growth_of_reduction(prepared.outside);
+          !of_reduction.empty() && !has_all)
         log.info("  " + of_reduction + ", so that this run does not have it");
-      // Rounding is no growth.
-      if (is_there && of_reduction.empty() &&
-          growth_outside(linear, p).real() > 0.)
-        log.warning("the fastest motion of the reduced model, " + text +
-                    ", is outside the band: the branches do not show it");
-      else if (!growing.empty())
-        log.warning(growing + ": the branches do not show it");
+      if (const std::string growing = text_of_growth_outside(
+            growth_of_run(prepared.outside, p.transient));
+          !growing.empty())
+        log.warning(growing + ": the branches do not show it" +
+                    (prepared.outside.is_led_by_reduction() && has_all
+                       ? "; raise 'Transient/Cut-off'"
+                       : ""));
     }
   } // namespace
 

@@ -358,6 +358,7 @@ namespace squeal
                                        pressed.sliding_friction(),
                                        pressed.speed(),
                                        linear);
+    outside          = growth_outside(model, linear, p, timers);
     for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
       if (const double f = linear.lambda[k].imag() / (2. * M_PI);
           is_between(f, p.eigen.lowest_frequency, p.eigen.highest_frequency) &&
@@ -370,7 +371,7 @@ namespace squeal
   LinearizedMotion
   PreparedTransient::motions(const Parameters &p) const
   {
-    return motions_of_run(linear, reduction_errors, p.transient);
+    return motions_of_run(linear, outside, p.transient);
   }
 
 
@@ -383,12 +384,11 @@ namespace squeal
   {
     TransientFigures f;
     evaluate_branches(prepared, record, p.transient, cea, f);
-    f.growing_outside = text_of_growth_outside(prepared.motions(p), p);
-    if (p.transient.integrator == TransientParameters::Integrator::reduced &&
-        !text_of_growth_of_reduction(
-           prepared.linear, prepared.reduction_errors, p)
-           .empty())
-      f.growing_outside += " in the reduced model, but not in the bodies";
+    const GrowthOutside growth = growth_of_run(prepared.outside, p.transient);
+    f.growing_outside          = text_of_growth_outside(growth);
+    f.vibrates_by_reduction    = growth.is_led_by_reduction();
+    if (f.vibrates_by_reduction)
+      f.growing_outside += ": what vibrates in this run may be that alone";
     f.has_unseen_motions =
       p.transient.integrator != TransientParameters::Integrator::reduced;
     f.verdict = verdict_of(f);

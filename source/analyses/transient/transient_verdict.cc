@@ -41,49 +41,33 @@ namespace squeal
 
 
 
-  namespace
-  {
-    /** Whether growth is that of the reduced model only; @p error: what it
-     * leaves out would add, 1/s. */
-    bool
-    grows_by_reduction(const std::complex<double> lambda,
-                       const std::complex<double> error)
-    {
-      return lambda.real() > 0. && !(lambda.real() + error.real() > 0.);
-    }
-  } // namespace
-
   LinearizedMotion
   motions_of_run(const LinearizedMotion    &linear,
-                 const Eigen::VectorXcd    &reduction,
+                 const GrowthOutside       &growth,
                  const TransientParameters &t)
   {
     LinearizedMotion result;
     result.lambda = linear.lambda;
     if (t.integrator == TransientParameters::Integrator::reduced)
       return result;
-    for (Eigen::Index k = 0; k < result.lambda.size(); ++k)
-      if (grows_by_reduction(result.lambda[k], reduction[k]))
-        result.lambda[k] += reduction[k].real();
+    for (const MotionOutside &m : growth.motions)
+      result.lambda[m.index] = m.of_bodies;
     return result;
   }
 
-  std::string
-  text_of_growth_of_reduction(const LinearizedMotion &linear,
-                              const Eigen::VectorXcd &reduction,
-                              const Parameters       &p)
+  GrowthOutside
+  growth_of_run(const GrowthOutside &growth, const TransientParameters &t)
   {
-    const std::complex<double> lambda = growth_outside(linear, p);
-    for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
-      if (linear.lambda[k] == lambda &&
-          grows_by_reduction(lambda, reduction[k]))
-        return "the motion at " + rounded_text(lambda.imag() / (2. * M_PI), 5) +
-               " Hz, outside the band, grows in the reduced model alone: the "
-               "motions above the cut-off, which it leaves out, would add "
-               "about " +
-               rounded_text(reduction[k].real(), 2) + " 1/s to its " +
-               rounded_text(lambda.real(), 3) + " 1/s";
-    return "";
+    GrowthOutside result = growth;
+    if (t.integrator != TransientParameters::Integrator::reduced)
+      result.motions.erase(
+        std::remove_if(result.motions.begin(),
+                       result.motions.end(),
+                       [](const MotionOutside &m) {
+                         return m.owner == MotionOutside::Owner::reduction;
+                       }),
+        result.motions.end());
+    return result;
   }
 
 
@@ -258,7 +242,8 @@ namespace squeal
   explained_verdict(const TransientFigures &f, const TriggerOutcome &trigger)
   {
     if (f.verdict == "unstable")
-      return f.verdict;
+      return f.verdict +
+             (f.vibrates_by_reduction ? "; " + f.growing_outside : "");
     const std::string about =
       (f.growing_outside.empty()
          ? f.verdict + " about steady sliding"
@@ -338,6 +323,7 @@ namespace squeal
   bool
   squeals(const TransientFigures &f, const TriggerOutcome &trigger)
   {
-    return trigger.text.rfind("squeal", 0) == 0 || f.has_limit_cycle;
+    return !f.vibrates_by_reduction &&
+           (trigger.text.rfind("squeal", 0) == 0 || f.has_limit_cycle);
   }
 } // namespace squeal

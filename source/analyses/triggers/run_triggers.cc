@@ -7,9 +7,9 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/base/stop_request.h>
 #include <squeal/model/drive_warnings.h>
+#include <squeal/model/growth_outside.h>
 #include <squeal/model/measured_points.h>
 #include <squeal/model/pressed_scene.h>
-#include <squeal/model/reduced_motions.h>
 #include <squeal/model/rotor_symmetry.h>
 #include <squeal/output/record_unknowns.h>
 #include <squeal/parameters/entry_traits.h>
@@ -115,7 +115,8 @@ namespace squeal
       linear_motion(const SteadyModel &about, const Parameters &p)
       {
         LinearizedMotion linear = motions_about(about);
-        if (const std::string text = text_of_growth_outside(linear, p);
+        if (const std::string text = text_of_growth_outside(
+              growth_outside(about, linear, p, context.timers));
             !text.empty())
           context.log.warning(text + ": nothing is struck there");
         std::vector<Eigen::Index> pairs = pairs_in_band(linear, p.eigen);

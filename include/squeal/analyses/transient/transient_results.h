@@ -4,7 +4,7 @@
 
 #include <squeal/analyses/transient/transient_run.h>
 #include <squeal/eigen/complex_pairs.h>
-#include <squeal/model/reduced_motions.h>
+#include <squeal/model/growth_outside.h>
 #include <squeal/output/force_charts.h>
 #include <squeal/results/table.h>
 #include <squeal/transient/growth.h>
@@ -31,6 +31,7 @@ namespace squeal
     LinearizedMotion linear;
     /** What the motions above the cut-off would add to its eigenvalues, 1/s. */
     Eigen::VectorXcd          reduction_errors;
+    GrowthOutside             outside;
     std::vector<unsigned int> branches; /**< pairs within the band */
 
     PreparedTransient(const PressedModel &pressed,
@@ -101,9 +102,13 @@ namespace squeal
     /** stable, unstable, undecided: of the band, but not stable where a motion
      * outside it grows. */
     std::string verdict;
-    /** That motion in words, "a motion at 38995 Hz, outside the band, grows
-     * (sigma of 6.52 1/s)"; empty where there is none that is of the run. */
+    /** That motion in words, text_of_growth_outside(); empty where there is
+     * none that is of the run. */
     std::string growing_outside;
+    /** The run has growth of the reduced model alone that is faster than all
+     * that the bodies have or may have: what vibrates in it tells nothing of
+     * them. */
+    bool vibrates_by_reduction = false;
     /** The run moves all unknowns, and motions above the cut-off are not among
      * those that are linearised: they may grow. */
     bool   has_unseen_motions = false;
@@ -203,20 +208,16 @@ namespace squeal
                              const double           lowest,
                              const double           interval);
 
-  /** The eigenvalues of @p linear as far as a run has them: growth of the
-   * reduced model that what it leaves out, @p reduction, 1/s, as of
-   * reduction_error(), would take away is none of a run of all unknowns.
+  /** The eigenvalues of @p linear as far as a run has them: a run of all
+   * unknowns has what the bodies do instead of what the reduced model does.
    * Without vectors. */
   LinearizedMotion motions_of_run(const LinearizedMotion    &linear,
-                                  const Eigen::VectorXcd    &reduction,
+                                  const GrowthOutside       &growth,
                                   const TransientParameters &t);
 
-  /** Of the motion of text_of_growth_outside() where @p reduction would make it
-   * decay: "the motion at 92824 Hz, outside the band, grows in the reduced
-   * model alone (...)"; empty where it would not, and where there is none. */
-  std::string text_of_growth_of_reduction(const LinearizedMotion &linear,
-                                          const Eigen::VectorXcd &reduction,
-                                          const Parameters       &parameters);
+  /** That of the bodies, and that of the reduction in its own integrator. */
+  GrowthOutside growth_of_run(const GrowthOutside       &growth,
+                              const TransientParameters &t);
 
   /** The frequency of fastest_growth(), Hz, where samples @p interval, s, apart
    * do not tell it (highest_line()) and the motion has the time to become

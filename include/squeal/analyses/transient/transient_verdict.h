@@ -22,7 +22,8 @@ namespace squeal
    * speeds; empty where none is known. */
   std::string least_friction_text(const Table &speeds);
 
-  /** Whether a vibration stays, by itself or after a trigger. */
+  /** Whether a vibration stays, by itself or after a trigger, that may be one
+   * of the bodies. */
   bool squeals(const TransientFigures &figures, const TriggerOutcome &trigger);
 
   /** "grows by 1220 +- 0.5 1/s at 6683 Hz" of the leading pair; empty where its
