@@ -22,10 +22,10 @@ namespace squeal
 
     /** Nearest to a motion of the reduced model: enough to reach past it where
      * the modes of bodies are close to each other. */
-    constexpr unsigned int n_pairs_near = 12;
+    constexpr unsigned int n_pairs_near = 20;
 
     /** Each shift takes a factorisation of all unknowns. */
-    constexpr unsigned int most_shifts = 4;
+    constexpr unsigned int most_shifts = 6;
 
     bool
     is_outside(const std::complex<double> lambda, const EigenParameters &band)
@@ -41,44 +41,57 @@ namespace squeal
       return lambda.real() > 1e-9 * std::abs(lambda);
     }
 
-    /** To first order what is left out is a correction. */
+    /** Whether what is left out is a correction that leaves at least half of
+     * the growth. Its series goes in (f / f_k)^2 of motions f_k above the
+     * cut-off: all of it is less than its first term over 1 - (f / f_c)^2. */
     bool
     is_corrected(const MotionOutside &m, const TransientParameters &t)
     {
-      return std::abs(m.lambda.imag()) <= 2. * M_PI * t.cut_off &&
-             std::abs(m.estimate.real()) < 0.5 * m.lambda.real();
+      const double r = std::pow(m.lambda.imag() / (2. * M_PI * t.cut_off), 2.);
+      return r < 1. &&
+             std::abs(m.estimate.real()) < 0.5 * (1. - r) * m.lambda.real();
     }
 
-    /** The motions of the run that grow outside the band, the fastest first, as
-     * far as nothing of the band grows faster. */
+    /** Of the reduced model or, below the cut-off, by the estimate, 1/s. */
+    double
+    largest_growth(const MotionOutside &m, const TransientParameters &t)
+    {
+      return m.lambda.real() +
+             (std::abs(m.lambda.imag()) <= 2. * M_PI * t.cut_off
+                ? std::max(0., m.estimate.real())
+                : 0.);
+    }
+
+    /** The motions of the run that grow or may grow outside the band, the
+     * fastest first, as far as nothing of the band grows faster. */
     std::vector<MotionOutside>
     growing_outside_band(const LinearizedMotion &linear,
                          const Eigen::VectorXcd &estimate,
                          const Parameters       &p)
     {
       double                     of_band = 0.;
-      std::vector<MotionOutside> result;
+      std::vector<MotionOutside> all, result;
       for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
         {
           const std::complex<double> lambda = linear.lambda[k];
-          if (!is_of_the_run(lambda, p.transient) || !grows(lambda))
+          if (!is_of_the_run(lambda, p.transient))
             continue;
           if (!is_outside(lambda, p.eigen))
             of_band = std::max(of_band, lambda.real());
           else
-            result.push_back(
+            all.push_back(
               {Owner::not_known, k, lambda, estimate[k], lambda, 0., ""});
         }
-      result.erase(std::remove_if(result.begin(),
-                                  result.end(),
-                                  [of_band](const MotionOutside &m) {
-                                    return m.lambda.real() <= of_band;
-                                  }),
-                   result.end());
+      const auto growth = [&p](const MotionOutside &m) {
+        return largest_growth(m, p.transient);
+      };
+      for (const MotionOutside &m : all)
+        if (grows({growth(m), m.lambda.imag()}) && growth(m) > of_band)
+          result.push_back(m);
       std::stable_sort(result.begin(),
                        result.end(),
-                       [](const MotionOutside &a, const MotionOutside &b) {
-                         return a.lambda.real() > b.lambda.real();
+                       [&](const MotionOutside &a, const MotionOutside &b) {
+                         return growth(a) > growth(b);
                        });
       return result;
     }
@@ -194,18 +207,18 @@ namespace squeal
   {
     GrowthOutside    result;
     QuestionToBodies question(p, bodies);
-    double           of_bodies = 0.;
     for (MotionOutside m : growing_outside_band(linear, estimate, p))
       {
-        // What is slower than growth of the bodies adds nothing.
-        if (m.lambda.real() <= of_bodies)
-          break;
+        const bool is_slower =
+          largest_growth(m, p.transient) <= result.fastest().real();
         if (is_corrected(m, p.transient))
           m.owner = Owner::bodies;
         else
           question.answer(m);
-        if (m.owner == Owner::bodies)
-          of_bodies = std::max(of_bodies, m.of_bodies.real());
+        // What is slower adds nothing, and what grows nowhere is none.
+        if ((m.owner == Owner::not_known && is_slower) ||
+            (m.owner == Owner::reduction && !grows(m.lambda)))
+          continue;
         result.motions.push_back(m);
       }
     return result;
@@ -227,13 +240,10 @@ namespace squeal
   GrowthOutside
   growth_outside(const SteadyModel      &about,
                  const LinearizedMotion &linear,
+                 const Eigen::VectorXcd &estimate,
                  const Parameters       &p,
                  Timers                 &timers)
   {
-    const PressedModel    &pressed = about.pressed;
-    const Eigen::VectorXcd none = Eigen::VectorXcd::Zero(linear.lambda.size());
-    if (growing_outside_band(linear, none, p).empty())
-      return {};
     Parameters whole = p;
     // In time friction turns with the slip rate.
     for (ContactParameters &c : whole.scene.contacts)
@@ -242,17 +252,13 @@ namespace squeal
     std::unique_ptr<const Pencil> pencil;
     return growth_outside(
       linear,
-      reduction_error(pressed.model(),
-                      about.sliding,
-                      pressed.sliding_friction(),
-                      pressed.speed(),
-                      linear),
+      estimate,
       p,
       [&](const std::complex<double> shift) -> MotionsNear {
         require_eigenvalues(p.scene);
         if (!model)
           model = std::make_unique<const Model>(
-            whole, timers, pressed.states_of(about.sliding));
+            whole, timers, about.pressed.states_of(about.sliding));
         Timers::Section section(timers, "Solve: growth outside the band");
         if (!pencil)
           pencil = std::make_unique<const Pencil>(model->linearized().system,
@@ -265,19 +271,39 @@ namespace squeal
 
 
 
+  GrowthOutside
+  growth_outside(const SteadyModel      &about,
+                 const LinearizedMotion &linear,
+                 const Parameters       &p,
+                 Timers                 &timers)
+  {
+    const PressedModel &pressed = about.pressed;
+    return growth_outside(about,
+                          linear,
+                          reduction_error(pressed.model(),
+                                          about.sliding,
+                                          pressed.sliding_friction(),
+                                          pressed.speed(),
+                                          linear),
+                          p,
+                          timers);
+  }
+
+
+
   namespace
   {
     std::string
     motion_at(const std::complex<double> lambda)
     {
       return "a motion at " + rounded_text(lambda.imag() / (2. * M_PI), 5) +
-             " Hz, outside the band, grows";
+             " Hz, outside the band, ";
     }
 
     std::string
     sigma_text(const std::complex<double> lambda)
     {
-      return "(sigma of " + rounded_text(lambda.real(), 3) + " 1/s)";
+      return "sigma of " + rounded_text(lambda.real(), 3) + " 1/s";
     }
 
     /** The first of an owner in words, and how many others. */
@@ -297,25 +323,25 @@ namespace squeal
       if (first == nullptr)
         return "";
       const std::string others =
-        n == 1 ? "" : ", and so do " + std::to_string(n - 1) + " slower ones";
+        n == 1 ? "" : ", as do " + std::to_string(n - 1) + " slower";
       switch (owner)
         {
         case Owner::bodies:
-          return motion_at(fastest) + " " + sigma_text(fastest);
+          return motion_at(fastest) + "grows (" + sigma_text(fastest) + ")";
         case Owner::reduction:
-          return motion_at(first->lambda) + " in the reduced model " +
-                 sigma_text(first->lambda) + others +
+          return motion_at(first->lambda) + "grows in the reduced model (" +
+                 sigma_text(first->lambda) + ")" + others +
                  ", but not in the bodies, of which nothing outside the band "
                  "grows within " +
                  rounded_text(first->reach / (2. * M_PI), 2) + " Hz of it";
         case Owner::not_known:
-          return motion_at(first->lambda) + " in the reduced model " +
-                 sigma_text(first->lambda) + others +
-                 "; whether the bodies have it is not known: what the "
-                 "reduction leaves out would add about " +
+          return motion_at(first->lambda) + "may grow" + others + ": " +
+                 sigma_text(first->lambda) +
+                 " in the reduced model, to which what that leaves out "
+                 "would add about " +
                  rounded_text(first->estimate.real(), 2) +
-                 " 1/s, an estimate that does not hold there (" + first->why +
-                 ")";
+                 " 1/s; whether the bodies have it is not known (" +
+                 first->why + ")";
         }
       return "";
     }

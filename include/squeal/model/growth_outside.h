@@ -13,8 +13,9 @@ namespace squeal
 {
   class Timers;
 
-  /** A motion of the reduced model about steady sliding that grows outside the
-   * band, and whether the bodies have it. */
+  /** A motion of the reduced model about steady sliding outside the band that
+   * grows or would grow by what it leaves out, and whether the bodies have it.
+   */
   struct MotionOutside
   {
     enum class Owner
@@ -37,8 +38,8 @@ namespace squeal
     std::string why; /**< it is not known */
   };
 
-  /** Those that grow faster than all of the band, the fastest first, down to
-   * the first that the bodies have. */
+  /** Those that grow faster than all of the band, in the reduced model or by
+   * the estimate, the fastest first. */
   struct GrowthOutside
   {
     std::vector<MotionOutside> motions;
@@ -62,9 +63,8 @@ namespace squeal
   /**
    * Growth of the motions of the run (is_of_the_run()) of @p linear outside
    * the band. What the reduced model leaves out, @p estimate, 1/s, of
-   * reduction_error(), decides where it is a correction: below the cut-off,
-   * and less than half of the growth. Elsewhere the bodies are asked, whose
-   * InputError or ComputationError leaves it open.
+   * reduction_error(), decides where it is a small correction. Elsewhere the
+   * bodies are asked, whose InputError or ComputationError leaves it open.
    */
   GrowthOutside growth_outside(const LinearizedMotion &linear,
                                const Eigen::VectorXcd &estimate,
@@ -73,6 +73,11 @@ namespace squeal
 
   /** With the model of all unknowns about the same contact state, assembled
    * where it is asked and factorised at each shift. Collective. */
+  GrowthOutside growth_outside(const SteadyModel      &about,
+                               const LinearizedMotion &linear,
+                               const Eigen::VectorXcd &estimate,
+                               const Parameters       &parameters,
+                               Timers                 &timers);
   GrowthOutside growth_outside(const SteadyModel      &about,
                                const LinearizedMotion &linear,
                                const Parameters       &parameters,

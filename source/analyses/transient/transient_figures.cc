@@ -358,7 +358,7 @@ namespace squeal
                                        pressed.sliding_friction(),
                                        pressed.speed(),
                                        linear);
-    outside          = growth_outside(model, linear, p, timers);
+    outside = growth_outside(model, linear, reduction_errors, p, timers);
     for (Eigen::Index k = 0; k < linear.lambda.size(); ++k)
       if (const double f = linear.lambda[k].imag() / (2. * M_PI);
           is_between(f, p.eigen.lowest_frequency, p.eigen.highest_frequency) &&
