@@ -2,8 +2,7 @@
 #include <squeal/base/exceptions.h>
 #include <squeal/cycle/period_equations.h>
 #include <squeal/cycle/shooting.h>
-
-#include <Eigen/Eigenvalues>
+#include <squeal/eigen/standard_pairs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -384,27 +383,29 @@ namespace squeal
     /** Multipliers below this are none of a motion along the cycle. */
     constexpr double least_of_trivial = 0.3;
 
-    /** The eigenvector of @p solver that has the largest share of @p direction
-     * written as a sum of them. */
+    /** The eigenvector that has the largest share of @p direction written as a
+     * sum of them, of those of multipliers that are not below
+     * least_of_trivial. */
     Eigen::Index
-    largest_share(const Eigen::EigenSolver<Eigen::MatrixXd> &solver,
-                  const Eigen::VectorXd                     &direction)
+    largest_share(const StandardPairs &pairs, const Eigen::VectorXd &direction)
     {
-      const Eigen::VectorXcd   &values  = solver.eigenvalues();
-      const Eigen::MatrixXcd    vectors = solver.eigenvectors();
-      std::vector<Eigen::Index> those;
-      for (Eigen::Index k = 0; k < values.size(); ++k)
-        if (std::abs(values[k]) > least_of_trivial)
-          those.push_back(k);
-      if (those.empty())
+      const Eigen::VectorXcd d      = direction.cast<std::complex<double>>();
+      double                 most   = -1.;
+      Eigen::Index           result = -1;
+      for (Eigen::Index k = 0; k < pairs.values.size(); ++k)
+        {
+          const auto   left = pairs.left.col(k).transpose();
+          const double share =
+            std::abs((left * d)[0] / (left * pairs.right.col(k))[0]);
+          if (std::abs(pairs.values[k]) > least_of_trivial && share > most)
+            {
+              most   = share;
+              result = k;
+            }
+        }
+      if (result < 0)
         throw ComputationError("a periodic motion has no multiplier near 1");
-      const Eigen::MatrixXcd some = vectors(Eigen::all, those);
-      Eigen::Index           at   = 0;
-      some.householderQr()
-        .solve(direction.cast<std::complex<double>>())
-        .cwiseAbs()
-        .maxCoeff(&at);
-      return those[at];
+      return result;
     }
   } // namespace
 
@@ -413,16 +414,13 @@ namespace squeal
   {
     const std::vector<int> rows = map.closed_rows(motion.orbit);
     const ScaledMotion     scaled(map.reduced_model(), rows, motion.period);
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(
-      scaled.derivative(map.derivative(motion.orbit, rows)));
-    if (solver.info() != Eigen::Success)
-      throw ComputationError("the multipliers of a periodic motion do not "
-                             "converge");
+    const StandardPairs    pairs =
+      standard_pairs(scaled.derivative(map.derivative(motion.orbit, rows)));
     const MotionState  rate = rate_of_motion(map, motion.orbit);
     FloquetMultipliers result;
-    result.values  = solver.eigenvalues();
+    result.values  = pairs.values;
     result.trivial = result.values[largest_share(
-      solver, scaled.pack(rate.coordinates, rate.velocities, rate.forces))];
+      pairs, scaled.pack(rate.coordinates, rate.velocities, rate.forces))];
     std::sort(
       result.values.begin(),
       result.values.end(),
