@@ -184,7 +184,16 @@ namespace squeal
         {"limit cycle", cycle_sentence(first, pairs)},
         {"from the pair at",
          shown("pair_frequency_hz") + " Hz, sigma " +
-           shown("pair_sigma_per_s") + " 1/s"},
+           shown("pair_sigma_per_s") + " 1/s"}};
+      const std::pair<std::string, std::string> residual = {
+        "residual after a period",
+        shown("residual") + ", " + shown("n_iterations") + " iterations"};
+      if (!first.has_converged())
+        {
+          result.push_back(residual);
+          return result;
+        }
+      const std::vector<std::pair<std::string, std::string>> more = {
         {"dominant line", shown("dominant_line_hz") + " Hz"},
         {"normal force",
          shown("mean_normal_n") + " +- " + shown("mean_normal_error_n") +
@@ -197,13 +206,13 @@ namespace squeal
          "largest " + shown("largest_multiplier") + " +- " +
            shown("largest_multiplier_error") + ", the trivial one off 1 by " +
            shown("trivial_multiplier_error")},
-        {"residual after a period",
-         shown("residual") + ", " + shown("n_iterations") + " iterations"},
+        residual,
         {"penetration in the middle of steps",
          shown("penetration_m") + " m, gaps move by " + shown("gap_range_m") +
            " m"},
         {"share beyond the harmonics", shown("share_beyond_harmonics")},
         {"imbalance of the ledger", shown("imbalance")}};
+      result.insert(result.end(), more.begin(), more.end());
       if (!trials.motions.empty())
         result.insert(
           result.begin() + 1,
@@ -244,6 +253,10 @@ namespace squeal
       warn_of_trials(trials, first, context.log);
       context.record.figures = figures_of_run(
         table, first, trials, !branches && first.has_converged(), pairs);
+      if (branches)
+        context.record.figures.insert(
+          context.record.figures.begin(),
+          {"branches", diagram_sentence(*branches, p.sweep.axes.front().name)});
       HtmlReport report("Limit cycle of " + p.scene.name,
                         "periodic motion of the reduced model");
       report.set_verdict(
