@@ -8,6 +8,7 @@
 
 #include <squeal/results/table.h>
 
+#include "matrix_scene.h"
 #include "program.h"
 #include "worst.h"
 
@@ -92,28 +93,7 @@ c,2,source,normal,4,3,1,0.02,0.03,0,1e-4
 c,2,source,sliding,4,2,1,0.02,0.03,0,1e-4
 c,2,source,transverse,4,1,1,0.02,0.03,0,1e-4
 )");
-    write_text("model.prm", R"(set Analysis = limit cycle
-set Output directory = out
-set Overwrite = true
-subsection Scene
-  set Kind = matrices
-  set Matrix parts = mass, stiffness
-  set Contacts = c
-  set Loads = press
-  set Contact pattern file = contact.csv
-  set Node table file = nodes.csv
-  subsection Matrix part mass
-    set File = M.mtx
-    set Role = mass
-  end
-  subsection Matrix part stiffness
-    set File = K.mtx
-    set Role = stiffness
-  end
-  subsection Load press
-    set Ramp time = 0
-  end
-  subsection Contact c
+    write_text("model.prm", matrix_scene("c", R"(  subsection Contact c
     set Source body = pad
     set Formulation = mortar
     set Contact state = preload
@@ -127,8 +107,7 @@ subsection Scene
     set Mass damping = 20
     set Stiffness damping = 1e-7
   end
-end
-subsection Eigenvalues
+)") + R"(subsection Eigenvalues
   set Highest frequency = 3000
 end
 subsection Transient
@@ -138,10 +117,6 @@ end
 subsection Limit cycle
   set Run time         = 0.3
   set Steps per period = 512
-end
-subsection Output
-  set Plots  = false
-  set Report = false
 end
 )");
   }

@@ -8,6 +8,7 @@
 
 #include <squeal/results/table.h>
 
+#include "matrix_scene.h"
 #include "program.h"
 #include "worst.h"
 
@@ -83,40 +84,18 @@ two,2,source,transverse,2,2,-1,0.2,0,0,0.0001
   std::string
   scene(const unsigned int n_steps)
   {
-    return R"(set Analysis         = limit cycle
-set Output directory = out
-set Overwrite        = true
-subsection Scene
-  set Kind                 = matrices
-  set Matrix parts         = mass, stiffness
-  set Contacts             = one, two
-  set Loads                = press
-  set Contact pattern file = contact.csv
-  set Node table file      = nodes.csv
-  subsection Matrix part mass
-    set File = M.mtx
-    set Role = mass
-  end
-  subsection Matrix part stiffness
-    set File = K.mtx
-    set Role = stiffness
-  end
-  subsection Load press
-  end
-)" + contact("one", "pa", "0.01461761197440714", "0.5680069876491787") +
-           contact("two", "pb", "0.05492661521991414", "0.6392537753551364") +
-           R"(  subsection Damping
+    return matrix_scene(
+             "one, two",
+             contact("one", "pa", "0.01461761197440714", "0.5680069876491787") +
+               contact(
+                 "two", "pb", "0.05492661521991414", "0.6392537753551364") +
+               R"(  subsection Damping
     set Model        = whole model
     set Mass damping = 804.4089612913167
   end
-end
-subsection Eigenvalues
+)") + R"(subsection Eigenvalues
   set Lowest frequency  = 1
   set Highest frequency = 5000
-end
-subsection Output
-  set Plots  = false
-  set Report = false
 end
 subsection Transient
   set Cut-off = 40000

@@ -8,6 +8,7 @@
 
 #include <squeal/results/table.h>
 
+#include "matrix_scene.h"
 #include "program.h"
 
 using namespace squeal;
@@ -43,26 +44,7 @@ namespace
                "5,2,2,0.1,0,0,second,0\n6,2,3,0.1,0,0,second,-150\n");
   }
 
-  const std::string scene = R"(
-set Analysis         = limit cycle
-set Output directory = out
-set Overwrite        = true
-subsection Scene
-  set Kind                 = matrices
-  set Matrix parts         = mass, stiffness
-  set Contacts             = one, two
-  set Loads                = press
-  set Contact pattern file = contact.csv
-  set Node table file      = nodes.csv
-  subsection Matrix part mass
-    set File = M.mtx
-    set Role = mass
-  end
-  subsection Matrix part stiffness
-    set File = K.mtx
-    set Role = stiffness
-  end
-  subsection Contact one
+  const std::string scene = matrix_scene("one, two", R"(  subsection Contact one
     set Source body          = first
     set Formulation          = springs
     set Normal stiffness     = 5.333333333333333e7
@@ -82,24 +64,16 @@ subsection Scene
     set Transverse slip term = true
     set Sliding speed        = 0.3
   end
-  subsection Load press
-    set Ramp time = 0
-  end
   subsection Damping
     set Model             = whole model
     set Mass damping      = 20
     set Stiffness damping = 1e-7
   end
-end
-subsection Eigenvalues
+)") + R"(subsection Eigenvalues
   set Highest frequency = 5000
 end
 subsection Transient
   set Cut-off = 40000
-end
-subsection Output
-  set Plots  = false
-  set Report = false
 end
 )";
 

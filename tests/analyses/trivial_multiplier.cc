@@ -7,6 +7,7 @@
 
 #include <squeal/results/table.h>
 
+#include "matrix_scene.h"
 #include "program.h"
 #include "worst.h"
 
@@ -76,28 +77,7 @@ belt,2,source,transverse,2,1,1,0,0.01,0,0.0001
   cycle_of(const std::string &program, const unsigned int n_steps)
   {
     write_text("cycle.prm",
-               R"(set Analysis = limit cycle
-set Output directory = out
-set Overwrite = true
-subsection Scene
-  set Kind = matrices
-  set Matrix parts = mass, stiffness
-  set Contacts = belt
-  set Loads = press
-  set Contact pattern file = contact.csv
-  set Node table file = nodes.csv
-  subsection Matrix part mass
-    set File = M.mtx
-    set Role = mass
-  end
-  subsection Matrix part stiffness
-    set File = K.mtx
-    set Role = stiffness
-  end
-  subsection Load press
-    set Ramp time = 0
-  end
-  subsection Contact belt
+               matrix_scene("belt", R"(  subsection Contact belt
     set Source body = b
     set Formulation = springs
     set Normal stiffness = 38691693.147044979
@@ -113,8 +93,7 @@ subsection Scene
     set Mass damping = 73.135853105855261
     set Stiffness damping = 1.6662496864839665e-06
   end
-end
-subsection Eigenvalues
+)") + R"(subsection Eigenvalues
   set Lowest frequency  = 1
   set Highest frequency = 6000
 end
@@ -124,14 +103,7 @@ end
 subsection Limit cycle
   set Run time = 0.1
   set Steps per period = )" +
-                 std::to_string(n_steps) +
-                 R"(
-end
-subsection Output
-  set Plots  = false
-  set Report = false
-end
-)");
+                 std::to_string(n_steps) + "\nend\n");
     const Outcome o = run_program({program, "cycle.prm"});
     check(o.code == 0, "the limit cycle is found: " + o.errors);
     const Table t = read_csv("out/limit_cycle.csv");
