@@ -145,6 +145,7 @@ set(SQUEAL_SOURCES_DISCRETIZATION
     source/discretization/even_faces.cc
     source/discretization/face_quadrature.cc
     source/discretization/face_tractions.cc
+    source/discretization/nodal_values.cc
     source/discretization/free_unknowns.cc
     source/discretization/load_vector.cc
     source/discretization/pair_error.cc

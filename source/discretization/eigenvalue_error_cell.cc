@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "eigenvalue_error_cell.h"
+#include "nodal_values.h"
 
 #include <deal.II/base/qprojector.h>
 
@@ -28,22 +29,6 @@ namespace squeal
                                            dealii::update_JxW_values |
                                            dealii::update_normal_vectors;
   } // namespace
-
-
-
-  Eigen::MatrixXd
-  nodal_values(const Discretization &d, const Block &modes)
-  {
-    const Eigen::MatrixXd local = d.space()->gather(modes);
-    Eigen::MatrixXd       result(d.relevant_dofs().n_elements(), modes.cols());
-    for (int j = 0; j < modes.cols(); ++j)
-      {
-        const std::vector<double> column = d.expand(local.col(j));
-        result.col(j) =
-          Eigen::Map<const Eigen::VectorXd>(column.data(), column.size());
-      }
-    return result;
-  }
 
 
 

@@ -19,13 +19,6 @@
 
 namespace squeal
 {
-  /** The modes (columns) in all unknowns that this rank knows (rows, in the
-   * order of Discretization::relevant_dofs()). Collective. */
-  Eigen::MatrixXd nodal_values(const Discretization &discretization,
-                               const Block          &modes);
-
-
-
   /**
    * The polynomials of degree p + 1 on the unit cell that vanish at the nodes
    * of degree p: products of three factors, each a Lagrange polynomial of

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "nodal_values.h"
 #include "point_forces_in_cells.h"
 
 #include <squeal/discretization/element_matrices.h>

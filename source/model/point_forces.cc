@@ -366,11 +366,13 @@ namespace squeal
       Eigen::MatrixXd result = nodal;
       for (std::size_t q = 0; q < face.points.size(); ++q)
         {
-          Eigen::MatrixXd change = share * (own.values.middleRows(3 * q, 3) -
-                                            nodal.middleRows(3 * q, 3));
+          const auto      of_nodes = nodal.middleRows(3 * q, 3);
+          Eigen::MatrixXd change   = Eigen::MatrixXd::Zero(3, nodal.cols());
+          if (own.found[q])
+            change += share * (own.values.middleRows(3 * q, 3) - of_nodes);
           if (share < 1. && theirs.found[q])
-            change += (1. - share) * (theirs.values.middleRows(3 * q, 3) -
-                                      nodal.middleRows(3 * q, 3));
+            change +=
+              (1. - share) * (theirs.values.middleRows(3 * q, 3) - of_nodes);
           const Eigen::Matrix3d P =
             Eigen::Matrix3d::Identity() - not_passed.middleRows(3 * q, 3);
           result.middleRows(3 * q, 3) += P * change;

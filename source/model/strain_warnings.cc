@@ -4,6 +4,7 @@
 #include <squeal/model/pressed_model.h>
 #include <squeal/model/strain_warnings.h>
 #include <squeal/scene/coarse_mesh.h>
+#include <squeal/scene/unit_notes.h>
 
 #include <algorithm>
 #include <numeric>
@@ -26,12 +27,8 @@ namespace squeal
         return;
       for (const std::string &name : {contact.source_body, contact.target_body})
         {
-          const BodyParameters &body = scene.bodies[body_index(scene, name)];
-          const double          modulus =
-            body.material_model == BodyParameters::MaterialModel::isotropic
-                       ? body.young_modulus
-                       : *std::min_element(body.young_moduli.begin(),
-                                  body.young_moduli.end());
+          const BodyParameters &body    = scene.bodies[body_index(scene, name)];
+          const double          modulus = lowest_young_modulus(body);
           if (body.shape != BodyParameters::Shape::rigid &&
               force / area > largest_strain * modulus)
             log.warning("contact " + contact.name + ": its mean pressure, " +

@@ -75,10 +75,7 @@ namespace squeal
       const std::string section = "Scene/Body " + body.name + "/";
       const bool        is_isotropic =
         body.material_model == BodyParameters::MaterialModel::isotropic;
-      const double modulus = is_isotropic
-                               ? body.young_modulus
-                               : *std::min_element(body.young_moduli.begin(),
-                                                   body.young_moduli.end());
+      const double modulus = lowest_young_modulus(body);
       if (modulus < lowest_modulus)
         notes.push_back(text_of_modulus(
           section + (is_isotropic ? "Young modulus" : "Young moduli"),
@@ -105,6 +102,17 @@ namespace squeal
       return *std::min_element(first, first + n);
     }
   } // namespace
+
+
+
+  double
+  lowest_young_modulus(const BodyParameters &body)
+  {
+    return body.material_model == BodyParameters::MaterialModel::isotropic
+             ? body.young_modulus
+             : *std::min_element(body.young_moduli.begin(),
+                                 body.young_moduli.end());
+  }
 
 
 

@@ -9,6 +9,10 @@
 
 namespace squeal
 {
+  /** The Young modulus of an isotropic body, else the lowest along its axes,
+   * Pa. */
+  double lowest_young_modulus(const BodyParameters &body);
+
   /**
    * Sizes, moduli and densities of a scene of bodies that no brake has and a
    * wrong unit gives, a sentence each: a scene of more than 10 m or less than

@@ -77,14 +77,13 @@ namespace squeal
       const Table        along = branch_table(diagram, pairs);
       context.write_table("branch.csv", along);
       if (p.limit_cycle.searches > 0)
-        {
-          for (std::size_t i = 0; i < diagram.branches.size(); ++i)
-            context.log.info("branch " + std::to_string(i + 1) + ": " +
-                             branch_sentence(diagram.branches[i], name));
-          context.write_table("branch_searches.csv",
-                              search_table(diagram.searches));
-        }
-      context.log.info(diagram_sentence(diagram, name));
+        context.write_table("branch_searches.csv",
+                            search_table(diagram.searches));
+      // The first screen has a single one, and all together.
+      if (diagram.branches.size() > 1)
+        for (std::size_t i = 0; i < diagram.branches.size(); ++i)
+          context.log.info("branch " + std::to_string(i + 1) + ": " +
+                           branch_sentence(diagram.branches[i], name));
       warn_of_moments(context.log, along);
       if (const auto hidden = text_of_hidden_folds(diagram, name);
           !hidden.empty())
@@ -109,8 +108,7 @@ namespace squeal
       if (ends == "yes")
         return cycle.multipliers.is_unstable()
                  ? "come near this cycle, which is unstable by its "
-                   "multipliers: "
-                   "where they end is not known"
+                   "multipliers: where they end is not known"
                  : "grow to this cycle";
       if (ends == "not known")
         return "where they grow to is not known: raise 'Limit cycle/Run time'";
